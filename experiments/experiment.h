@@ -9,8 +9,8 @@
 
 namespace subdiv {
 
-/// A table of numbers behind a figure or a claim: results/series/NAME.csv. Cells are decimal strings, so that exact and
-/// certified digits survive; the first column is the abscissa.
+/// A table of numbers behind a figure or a claim: results/series/NAME.csv. Cells are decimal strings, so that
+/// exact and certified digits survive; the first column is the abscissa.
 struct Series {
   std::string name;
   std::vector<std::string> columns;
@@ -22,8 +22,8 @@ struct Curve {
   std::string series;
   std::string x;
   std::string y;
-  std::string label;                   // shown in the key; empty hides it
-  std::string style = "lines lw 2";    // gnuplot "with" clause: "points pt 7", "filledcurves closed"
+  std::string label;                 // shown in the key; empty hides it
+  std::string style = "lines lw 2";  // gnuplot "with" clause: "points pt 7", "filledcurves closed"
 };
 
 /// A figure: results/figures/NAME.svg, drawn by gnuplot from series alone, byte-identical on every run.
@@ -42,8 +42,8 @@ struct Results {
   std::vector<Figure> figures;
 };
 
-/// One section of the documents: its claims, known before anything runs, and the computation that settles every one of
-/// them. run must return each head of the table exactly once; the registry checks it.
+/// One section of the documents: its claims, known before anything runs, and the computation that settles
+/// every one of them. run must return each head of the table exactly once; the registry checks it.
 struct Experiment {
   std::string name;   // "area"
   std::string title;  // "Area preservation (js-report 8, jsplines 8)"
