@@ -1,0 +1,146 @@
+#include "optimize/local_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include <ceres/ceres.h>
+#include <nlopt.hpp>
+
+#include "optimize/residual_functions.h"
+
+namespace subdiv {
+namespace {
+
+using Point = std::vector<double>;
+
+/// Element n of the van der Corput sequence in a base.
+double van_der_corput(int n, int base) {
+  double value = 0;
+  double digit = 1;
+  for (; n > 0; n /= base) {
+    digit /= base;
+    value += digit * (n % base);
+  }
+  return value;
+}
+
+Point start_point(const Problem& problem, int n) {
+  constexpr int bases[] = {2, 3, 5, 7, 11, 13};
+  Point x;
+  for (std::size_t i = 0; i < problem.box.size(); ++i) {
+    const double low = problem.box[i].lower.to_double();
+    const double high = problem.box[i].upper.to_double();
+    x.push_back(low + (high - low) * van_der_corput(n + 1, bases[i]));
+  }
+  return x;
+}
+
+double evaluate(Norm norm, const std::vector<CompiledResidual>& residuals, const Point& x) {
+  Point values;
+  values.reserve(residuals.size());
+  for (const CompiledResidual& r : residuals) values.push_back(r.value.evaluate(x));
+  const double result = objective(norm, values);
+  return std::isfinite(result) ? result : std::numeric_limits<double>::max();
+}
+
+/// One residual for Ceres, with its exact gradient.
+class ResidualCost : public ceres::CostFunction {
+ public:
+  ResidualCost(const CompiledResidual& residual, int variables) : residual_(residual) {
+    set_num_residuals(1);
+    mutable_parameter_block_sizes()->push_back(variables);
+  }
+  bool Evaluate(double const* const* parameters, double* value, double** jacobians) const override {
+    const std::span<const double> x(parameters[0], residual_.gradient.size());
+    value[0] = residual_.value.evaluate(x);
+    if (jacobians != nullptr && jacobians[0] != nullptr) {
+      for (std::size_t i = 0; i < x.size(); ++i) jacobians[0][i] = residual_.gradient[i].evaluate(x);
+    }
+    return std::isfinite(value[0]);
+  }
+
+ private:
+  const CompiledResidual& residual_;
+};
+
+bool search_least_squares(const Problem& problem, const std::vector<CompiledResidual>& residuals, Point& x) {
+  ceres::Problem least_squares;
+  const int variables = static_cast<int>(x.size());
+  for (const CompiledResidual& r : residuals) {
+    least_squares.AddResidualBlock(new ResidualCost(r, variables), nullptr, x.data());
+  }
+  for (int i = 0; i < variables; ++i) {
+    least_squares.SetParameterLowerBound(x.data(), i, problem.box[static_cast<std::size_t>(i)].lower.to_double());
+    least_squares.SetParameterUpperBound(x.data(), i, problem.box[static_cast<std::size_t>(i)].upper.to_double());
+  }
+  ceres::Solver::Options options;
+  options.linear_solver_type = ceres::DENSE_QR;
+  options.logging_type = ceres::SILENT;
+  options.function_tolerance = 1e-16;
+  options.parameter_tolerance = 1e-14;
+  options.gradient_tolerance = 1e-16;
+  ceres::Solver::Summary summary;
+  ceres::Solve(options, &least_squares, &summary);
+  return summary.IsSolutionUsable();
+}
+
+bool search_with_kinks(const Problem& problem, const std::vector<CompiledResidual>& residuals, Point& x) {
+  nlopt::opt solver(nlopt::LN_SBPLX, static_cast<unsigned>(x.size()));
+  Point low;
+  Point high;
+  for (const Range& range : problem.box) {
+    low.push_back(range.lower.to_double());
+    high.push_back(range.upper.to_double());
+  }
+  solver.set_lower_bounds(low);
+  solver.set_upper_bounds(high);
+  const auto value = [&](const Point& at) { return evaluate(problem.norm, residuals, at); };
+  using Value = decltype(value);
+  solver.set_min_objective(
+      [](const Point& at, Point&, void* data) { return (*static_cast<const Value*>(data))(at); },
+      const_cast<void*>(static_cast<const void*>(&value)));
+  solver.set_xtol_rel(1e-13);
+  solver.set_maxeval(20000);
+  double reached = 0;
+  try {
+    solver.optimize(x, reached);
+  } catch (const nlopt::roundoff_limited&) {
+    return true;  // x holds the best point so far
+  } catch (const std::runtime_error&) {
+    return false;
+  }
+  return true;
+}
+
+bool same_point(const Point& a, const Point& b) {
+  constexpr double tolerance = 1e-7;
+  return std::equal(a.begin(), a.end(), b.begin(),
+                    [](double x, double y) { return std::abs(x - y) <= tolerance * (1 + std::abs(x)); });
+}
+
+}  // namespace
+
+std::vector<LocalMinimum> local_minima(const Problem& problem, const Options& options) {
+  constexpr long double_precision = 64;
+  const std::vector<CompiledResidual> residuals = compile(problem, double_precision);
+  std::vector<LocalMinimum> found;
+  for (int n = 0; n < options.starts; ++n) {
+    Point x = start_point(problem, n);
+    const bool usable = problem.norm == Norm::l2 ? search_least_squares(problem, residuals, x)
+                                                 : search_with_kinks(problem, residuals, x);
+    if (usable) found.push_back({x, evaluate(problem.norm, residuals, x)});
+  }
+  std::stable_sort(found.begin(), found.end(),
+                   [](const LocalMinimum& a, const LocalMinimum& b) { return a.objective < b.objective; });
+  std::vector<LocalMinimum> distinct;
+  for (LocalMinimum& candidate : found) {
+    const bool known = std::any_of(distinct.begin(), distinct.end(),
+                                   [&](const LocalMinimum& d) { return same_point(d.x, candidate.x); });
+    if (!known) distinct.push_back(std::move(candidate));
+  }
+  return distinct;
+}
+
+}  // namespace subdiv
