@@ -7,9 +7,9 @@
 
 namespace subdiv {
 
-/// The area mask m_k = integral of phi(t) phi'(t - k) dt of a scheme's basis function: a closed control polygon P_i has a
-/// limit curve of signed area 1/2 sum over i, k of m_k P_i x P_{i+k}. Antisymmetric; sum of k m_k = 1. The polygon itself
-/// (linear subdivision) has m_1 = -m_{-1} = 1/2 (js-report 8, jsplines 8).
+/// The area mask m_k = integral of phi(t) phi'(t - k) dt of a scheme's basis function: a closed control
+/// polygon P_i has a limit curve of signed area 1/2 sum over i, k of m_k P_i x P_{i+k}. Antisymmetric; sum of
+/// k m_k = 1. The polygon itself (linear subdivision) has m_1 = -m_{-1} = 1/2 (js-report 8, jsplines 8).
 template <ExactRing R>
 Laurent<R> area_mask(const Scheme<R>& scheme) {
   return inner_products(scheme, scheme, 1);
@@ -21,7 +21,8 @@ Laurent<R> polygon_area_mask() {
   return Laurent<R>(-1, {fraction<R>(-1, 2), R(0), fraction<R>(1, 2)});
 }
 
-/// 1/2 sum of m_k P_i x P_{i+k} over a closed polygon (indices modulo its size): the area that the mask assigns to it.
+/// 1/2 sum of m_k P_i x P_{i+k} over a closed polygon (indices modulo its size): the area that the mask
+/// assigns to it.
 template <class R>
 R area(const Laurent<R>& mask, std::span<const std::pair<R, R>> polygon) {
   const int n = static_cast<int>(polygon.size());

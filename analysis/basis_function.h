@@ -8,12 +8,14 @@
 
 namespace subdiv {
 
-/// Basis function phi of a scheme: the limit of the unit impulse at index 0, phi(t) = sum a_i phi(m t - i). The impulse's
-/// refined point i after k steps stands at i / m^k, so phi has support [first, last] / (m - 1) for a stationary scheme.
+/// Basis function phi of a scheme: the limit of the unit impulse at index 0, phi(t) = sum a_i phi(m t - i).
+/// The impulse's refined point i after k steps stands at i / m^k, so phi has support [first, last] / (m - 1)
+/// for a stationary scheme.
 
-/// phi^(d) at the integers, for d >= 0 below the order of sum rules: the eigenvector for m^-d of the matrix a_{m k - l},
-/// normalised so that sum over k of phi^(d)(-k) k^d / d! = 1 and the lower moments vanish. Coefficient k of the result is
-/// phi^(d)(k). The derivative must exist at integers; throws std::domain_error when the equations do not determine it.
+/// phi^(d) at the integers, for d >= 0 below the order of sum rules: the eigenvector for m^-d of the matrix
+/// a_{m k - l}, normalised so that sum over k of phi^(d)(-k) k^d / d! = 1 and the lower moments vanish.
+/// Coefficient k of the result is phi^(d)(k). The derivative must exist at integers; throws std::domain_error
+/// when the equations do not determine it.
 template <ExactRing R>
 Laurent<R> integer_values(const Mask<R>& mask, int derivative = 0) {
   const int m = mask.arity;
@@ -37,12 +39,13 @@ Laurent<R> integer_values(const Mask<R>& mask, int derivative = 0) {
   }
   right(n + derivative) = R(1);
   const auto values = solve(system, right);
-  if (!values) throw std::domain_error("the refinement equation does not determine the basis function at integers");
+  if (!values)
+    throw std::domain_error("the refinement equation does not determine the basis function at integers");
   return Laurent<R>(low, std::vector<R>(values->data(), values->data() + n));
 }
 
-/// phi^(d) at all points i / m^level: coefficient i of the result. Works for mixed schemes: the steps are those of the
-/// scheme, each derivative brings a factor m a step.
+/// phi^(d) at all points i / m^level: coefficient i of the result. Works for mixed schemes: the steps are
+/// those of the scheme, each derivative brings a factor m a step.
 template <ExactRing R>
 Laurent<R> basis_values(const Scheme<R>& scheme, int level, int derivative = 0) {
   const int m = scheme.arity();
@@ -55,9 +58,9 @@ Laurent<R> basis_values(const Scheme<R>& scheme, int level, int derivative = 0) 
   return values;
 }
 
-/// The integral of phi from -infinity to t at t = i / m^level for a stationary scheme with integral 1: element j stands
-/// for i = lowest + j, where lowest / m^level is the left end of the support; before it the integral is 0, after the last
-/// element it is 1. I(t) = (1/m) sum a_i I(m t - i).
+/// The integral of phi from -infinity to t at t = i / m^level for a stationary scheme with integral 1:
+/// element j stands for i = lowest + j, where lowest / m^level is the left end of the support; before it the
+/// integral is 0, after the last element it is 1. I(t) = (1/m) sum a_i I(m t - i).
 template <class R>
 struct BasisIntegral {
   int lowest = 0;

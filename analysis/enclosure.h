@@ -8,15 +8,16 @@
 
 namespace subdiv {
 
-/// How far an answer can be trusted. exact: the very number, decided in exact arithmetic; certified: proved to lie in the
-/// enclosure, in exact or outward-rounded arithmetic; approximate: computed, not proved.
+/// How far an answer can be trusted. exact: the very number, decided in exact arithmetic; certified: proved
+/// to lie in the enclosure, in exact or outward-rounded arithmetic; approximate: computed, not proved.
 enum class Rigour { exact, certified, approximate };
 
-/// closed: the question is answered; otherwise the budget that ran out, and the enclosure is what was reached.
+/// closed: the question is answered; otherwise the budget that ran out, and the enclosure is what was
+/// reached.
 enum class Status { closed, out_of_time, out_of_depth, out_of_precision, ambiguous };
 
-/// A real number as an answer: lower <= value <= upper. Where rigour is approximate, the ends are the computed value's
-/// estimated error bars and prove nothing.
+/// A real number as an answer: lower <= value <= upper. Where rigour is approximate, the ends are the
+/// computed value's estimated error bars and prove nothing.
 struct Enclosure {
   Rational lower;
   Rational upper;

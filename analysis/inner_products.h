@@ -25,15 +25,16 @@ Laurent<R> refine_inner_products(const Laurent<R>& c, const Laurent<R>& g, int a
 
 }  // namespace detail
 
-/// g_k = integral of phi(t) psi^(d)(t - k) dt for the basis functions phi, psi of two stationary schemes of arity m whose
-/// integrals are 1; d = 0 or 1. By the refinement equations g_k = m^(d-1) sum over n of c_n g_{m k - n} with
-/// c = a(z) b(1/z), so g is the eigenvector for m^(1-d) of a finite matrix, normalised by sum g_k = 1 (d = 0) or
-/// sum k g_k = 1 and sum g_k = 0 (d = 1). Exact over any exact field (Warren & Weimer, Subdivision Methods for Geometric
-/// Design, p. 165). The schemes must converge, for d = 1 psi to a C^1 limit or a B-spline of degree 1 at least; throws
-/// std::domain_error when the equations do not determine g.
+/// g_k = integral of phi(t) psi^(d)(t - k) dt for the basis functions phi, psi of two stationary schemes of
+/// arity m whose integrals are 1; d = 0 or 1. By the refinement equations g_k = m^(d-1) sum over n of c_n
+/// g_{m k - n} with c = a(z) b(1/z), so g is the eigenvector for m^(1-d) of a finite matrix, normalised by
+/// sum g_k = 1 (d = 0) or sum k g_k = 1 and sum g_k = 0 (d = 1). Exact over any exact field (Warren & Weimer,
+/// Subdivision Methods for Geometric Design, p. 165). The schemes must converge, for d = 1 psi to a C^1 limit
+/// or a B-spline of degree 1 at least; throws std::domain_error when the equations do not determine g.
 template <ExactRing R>
 Laurent<R> inner_products(const Mask<R>& phi, const Mask<R>& psi, int derivative = 0) {
-  if (derivative != 0 && derivative != 1) throw std::domain_error("inner products: derivative must be 0 or 1");
+  if (derivative != 0 && derivative != 1)
+    throw std::domain_error("inner products: derivative must be 0 or 1");
   const int m = phi.arity;
   const Laurent<R> c = detail::correlation(phi, psi);
   // psi and phi live on [first, last] / (m - 1), so g lives on [c.first, c.last] / (m - 1).
@@ -58,8 +59,8 @@ Laurent<R> inner_products(const Mask<R>& phi, const Mask<R>& psi, int derivative
   return Laurent<R>(low, std::vector<R>(g->data(), g->data() + n));
 }
 
-/// The same for any two schemes of one arity: steps before the repeating ones refine the inner products of the rest,
-/// g_k = m^(d-1) sum of c_n g'_{m k - n}.
+/// The same for any two schemes of one arity: steps before the repeating ones refine the inner products of
+/// the rest, g_k = m^(d-1) sum of c_n g'_{m k - n}.
 template <ExactRing R>
 Laurent<R> inner_products(const Scheme<R>& phi, const Scheme<R>& psi, int derivative = 0) {
   Laurent<R> g = inner_products(phi.last(), psi.last(), derivative);

@@ -104,7 +104,8 @@ std::optional<Summary> minimise_linear(const Problem& problem) {
     if (active) summary.active.push_back(static_cast<int>(i));
   }
   summary.termination = unique ? Termination::proved : Termination::not_unique;
-  summary.message = unique ? "the optimum is exact and unique" : "the minimum is exact; its minimisers are several";
+  summary.message =
+      unique ? "the optimum is exact and unique" : "the minimum is exact; its minimisers are several";
   return summary;
 }
 

@@ -11,8 +11,8 @@ struct LinearProgram {
   Vector<Rational> c;
 };
 
-/// optimal: x attains the maximum and y proves it (y >= 0, A^T y = -c, b . y = c . x); infeasible: y >= 0 with A^T y = 0 and
-/// b . y < 0; unbounded: no certificate is kept.
+/// optimal: x attains the maximum and y proves it (y >= 0, A^T y = -c, b . y = c . x); infeasible: y >= 0
+/// with A^T y = 0 and b . y < 0; unbounded: no certificate is kept.
 struct LinearSolution {
   enum class Status { optimal, infeasible, unbounded } status = Status::infeasible;
   Vector<Rational> x;
@@ -20,11 +20,13 @@ struct LinearSolution {
   Rational value;
 };
 
-/// Solves in exact rational arithmetic (cddlib) and checks the certificate independently of the solver: a solution that
-/// comes back is proved. Throws std::runtime_error when the solver fails or its certificate does not hold.
+/// Solves in exact rational arithmetic (cddlib) and checks the certificate independently of the solver: a
+/// solution that comes back is proved. Throws std::runtime_error when the solver fails or its certificate
+/// does not hold.
 [[nodiscard]] LinearSolution solve(const LinearProgram& program);
 
 /// y >= 0, A^T y = -c, b . y = c . x and b + A x >= 0: together they prove that x maximises c . x.
-[[nodiscard]] bool is_optimal_pair(const LinearProgram& program, const Vector<Rational>& x, const Vector<Rational>& y);
+[[nodiscard]] bool is_optimal_pair(const LinearProgram& program, const Vector<Rational>& x,
+                                   const Vector<Rational>& y);
 
 }  // namespace subdiv

@@ -72,8 +72,10 @@ bool search_least_squares(const Problem& problem, const std::vector<CompiledResi
     least_squares.AddResidualBlock(new ResidualCost(r, variables), nullptr, x.data());
   }
   for (int i = 0; i < variables; ++i) {
-    least_squares.SetParameterLowerBound(x.data(), i, problem.box[static_cast<std::size_t>(i)].lower.to_double());
-    least_squares.SetParameterUpperBound(x.data(), i, problem.box[static_cast<std::size_t>(i)].upper.to_double());
+    least_squares.SetParameterLowerBound(x.data(), i,
+                                         problem.box[static_cast<std::size_t>(i)].lower.to_double());
+    least_squares.SetParameterUpperBound(x.data(), i,
+                                         problem.box[static_cast<std::size_t>(i)].upper.to_double());
   }
   ceres::Solver::Options options;
   options.linear_solver_type = ceres::DENSE_QR;

@@ -12,8 +12,9 @@ struct LocalMinimum {
   double objective = 0;
 };
 
-/// Local minima from options.starts points spread over the box (a Halton sequence: deterministic), best first: Ceres for l2, NLopt's
-/// Sbplx for the norms with kinks. Points that agree to 1e-7 are listed once; empty when no start converged.
+/// Local minima from options.starts points spread over the box (a Halton sequence: deterministic), best
+/// first: Ceres for l2, NLopt's Sbplx for the norms with kinks. Points that agree to 1e-7 are listed once;
+/// empty when no start converged.
 [[nodiscard]] std::vector<LocalMinimum> local_minima(const Problem& problem, const Options& options);
 
 }  // namespace subdiv

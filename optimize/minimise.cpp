@@ -11,14 +11,15 @@ namespace subdiv {
 namespace {
 
 void require_well_posed(const Problem& problem) {
-  if (problem.box.empty()) throw InputError("nothing to optimise: name a parameter and its range, for example s=-2..6");
+  if (problem.box.empty())
+    throw InputError("nothing to optimise: name a parameter and its range, for example s=-2..6");
   if (problem.residuals.empty()) throw InputError("the objective has no residuals");
   for (std::size_t i = 0; i < problem.box.size(); ++i) {
     const Range& range = problem.box[i];
     if (range.lower < range.upper) continue;
     const std::string name = i < problem.names.size() ? problem.names[i] : fmt::format("parameter {}", i + 1);
-    throw InputError(fmt::format("{}={}..{}: the range is empty; its lower end must be below its upper end", name,
-                                 range.lower.to_string(), range.upper.to_string()));
+    throw InputError(fmt::format("{}={}..{}: the range is empty; its lower end must be below its upper end",
+                                 name, range.lower.to_string(), range.upper.to_string()));
   }
 }
 

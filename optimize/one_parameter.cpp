@@ -13,10 +13,10 @@ namespace {
 
 /// A sum of residuals whose signs are settled on a whole subtree, and those still free there.
 struct Group {
-  RationalFunction settled;          // l1: sum of sign_i r_i, added to the objective as it stands
+  RationalFunction settled;  // l1: sum of sign_i r_i, added to the objective as it stands
   CompiledResidual compiled_settled;
   bool has_settled = false;
-  std::vector<int> free;             // indices of the other residuals that matter
+  std::vector<int> free;  // indices of the other residuals that matter
 };
 
 struct Node {
@@ -45,7 +45,8 @@ Distinct merge_duplicates(const std::vector<RationalFunction>& residuals) {
   for (const RationalFunction& r : residuals) {
     std::size_t i = 0;
     const RationalFunction negative = -r;
-    // Masks are symmetric, so a residual's twin is usually among the few most recent or at the mirrored place.
+    // Masks are symmetric, so a residual's twin is usually among the few most recent or at the mirrored
+    // place.
     for (; i < result.functions.size(); ++i) {
       if (result.functions[i] == r || result.functions[i] == negative) break;
     }
@@ -65,7 +66,8 @@ class Search {
       : problem_(problem), options_(options), distinct_(merge_duplicates(problem.residuals)) {
     if (problem.norm == Norm::l2) combine_squares();
     if (problem.norm == Norm::l1) apply_weights();
-    for (const RationalFunction& f : distinct_.functions) compiled_.push_back(compile(f, 1, options.precision));
+    for (const RationalFunction& f : distinct_.functions)
+      compiled_.push_back(compile(f, 1, options.precision));
   }
 
   Summary run(const std::vector<double>& candidates);
@@ -89,12 +91,16 @@ class Search {
   }
   [[nodiscard]] Interval objective_at(const Interval& x) const;
   [[nodiscard]] Bound bound(const Node& node) const;
-  [[nodiscard]] std::shared_ptr<const Group> narrow(const std::shared_ptr<const Group>& group, const Bound& bound) const;
+  [[nodiscard]] std::shared_ptr<const Group> narrow(const std::shared_ptr<const Group>& group,
+                                                    const Bound& bound) const;
   [[nodiscard]] bool has_pole() const;
   [[nodiscard]] int slope_sign(const Interval& x) const;
-  [[nodiscard]] std::optional<RationalFunction> defining_function(const Interval& x, std::vector<int>& active) const;
-  [[nodiscard]] std::optional<RationalFunction> kink_of_maximum(const Interval& x, std::vector<int>& active) const;
-  [[nodiscard]] std::optional<RationalFunction> critical_point_of_sum(const Interval& x, std::vector<int>& active) const;
+  [[nodiscard]] std::optional<RationalFunction> defining_function(const Interval& x,
+                                                                  std::vector<int>& active) const;
+  [[nodiscard]] std::optional<RationalFunction> kink_of_maximum(const Interval& x,
+                                                                std::vector<int>& active) const;
+  [[nodiscard]] std::optional<RationalFunction> critical_point_of_sum(const Interval& x,
+                                                                      std::vector<int>& active) const;
   void describe_minimiser(const Rational& lower, const Rational& upper, Summary& summary) const;
 
   const Problem& problem_;
@@ -123,7 +129,8 @@ bool Search::has_pole() const {
   for (const RationalFunction& f : distinct_.functions) {
     const Polynomial below = f.denominator();
     if (below.is_constant()) continue;
-    if (count_roots(UnivariatePolynomial(below, 0), problem_.box[0].lower, problem_.box[0].upper) > 0) return true;
+    if (count_roots(UnivariatePolynomial(below, 0), problem_.box[0].lower, problem_.box[0].upper) > 0)
+      return true;
   }
   return false;
 }
@@ -149,11 +156,14 @@ Bound Search::bound(const Node& node) const {
     if (problem_.norm == Norm::linf) {
       result.at_centre = max(result.at_centre, abs(at_centre));
       const Interval magnitude = abs(range);
-      result.below = max(result.below, Interval(magnitude.is_finite() ? magnitude.lower() : Rational(0), options_.precision));
+      result.below = max(result.below, Interval(magnitude.is_finite() ? magnitude.lower() : Rational(0),
+                                                options_.precision));
       upper_bounds.emplace_back(i, magnitude);
       continue;
     }
-    const int sign = problem_.norm == Norm::l2 || certainly_positive(range) ? 1 : certainly_negative(range) ? -1 : 0;
+    const int sign = problem_.norm == Norm::l2 || certainly_positive(range) ? 1
+                     : certainly_negative(range)                            ? -1
+                                                                            : 0;
     result.at_centre += problem_.norm == Norm::l2 ? at_centre : abs(at_centre);
     if (sign == 0) {
       result.still_free.push_back(i);
@@ -173,7 +183,8 @@ Bound Search::bound(const Node& node) const {
   return result;
 }
 
-std::shared_ptr<const Group> Search::narrow(const std::shared_ptr<const Group>& group, const Bound& bound) const {
+std::shared_ptr<const Group> Search::narrow(const std::shared_ptr<const Group>& group,
+                                            const Bound& bound) const {
   // Re-grouping costs exact additions: worth it when it at least halves the list.
   if (problem_.norm == Norm::l2 || 2 * bound.still_free.size() > group->free.size()) return group;
   auto next = std::make_shared<Group>();
@@ -220,8 +231,8 @@ int Search::slope_sign(const Interval& x) const {
   return rising ? 1 : falling ? -1 : 0;
 }
 
-/// On x: is the maximum attained by an increasing and a decreasing function only, or by one convex function? Then the
-/// minimiser is the zero of the function returned.
+/// On x: is the maximum attained by an increasing and a decreasing function only, or by one convex function?
+/// Then the minimiser is the zero of the function returned.
 std::optional<RationalFunction> Search::kink_of_maximum(const Interval& x, std::vector<int>& active) const {
   Interval largest(0);
   std::vector<Interval> magnitudes;
@@ -251,7 +262,8 @@ std::optional<RationalFunction> Search::kink_of_maximum(const Interval& x, std::
 }
 
 /// l1 and l2 on x: a smooth strictly convex sum, or one vanishing residual whose slope outweighs the rest.
-std::optional<RationalFunction> Search::critical_point_of_sum(const Interval& x, std::vector<int>& active) const {
+std::optional<RationalFunction> Search::critical_point_of_sum(const Interval& x,
+                                                              std::vector<int>& active) const {
   RationalFunction smooth;
   std::vector<std::size_t> kinks;
   for (std::size_t i = 0; i < compiled_.size(); ++i) {
@@ -407,7 +419,8 @@ Summary Search::run(const std::vector<double>& candidates) {
 
 }  // namespace
 
-Summary minimise_one_parameter(const Problem& problem, const Options& options, const std::vector<double>& candidates) {
+Summary minimise_one_parameter(const Problem& problem, const Options& options,
+                               const std::vector<double>& candidates) {
   return Search(problem, options).run(candidates);
 }
 

@@ -8,7 +8,8 @@
 
 namespace subdiv {
 
-/// The norm of a vector of residuals. l2 stands for the sum of squares (its minimisers are those of the root).
+/// The norm of a vector of residuals. l2 stands for the sum of squares (its minimisers are those of the
+/// root).
 enum class Norm { l1, l2, linf };
 
 /// A closed range of one parameter.
@@ -17,8 +18,8 @@ struct Range {
   Rational upper;
 };
 
-/// Minimise the norm of a vector of residuals over a box of parameters: residuals are rational functions over Q of
-/// x_0 .. x_{n-1}, with denominators that do not vanish on the box.
+/// Minimise the norm of a vector of residuals over a box of parameters: residuals are rational functions over
+/// Q of x_0 .. x_{n-1}, with denominators that do not vanish on the box.
 struct Problem {
   std::vector<RationalFunction> residuals;
   Norm norm = Norm::linf;
@@ -35,13 +36,15 @@ struct Options {
   int starts = 24;           // of the local solver, spread over the box deterministically
 };
 
-/// Why the solver stopped. Only `proved` claims anything about the whole box; everything else leaves rigour approximate.
+/// Why the solver stopped. Only `proved` claims anything about the whole box; everything else leaves rigour
+/// approximate.
 enum class Termination {
-  proved,          // the minimiser is enclosed, unique, and nothing better lies in the box
-  not_unique,      // the minimum is proved, its minimisers are several or a continuum: the enclosure holds one of them
-  out_of_boxes,    // branch and bound ran out: the local minimum is verified, globality is not
-  not_isolated,    // the local critical point could not be verified
-  pole_in_box,     // a residual's denominator may vanish on the box
+  proved,      // the minimiser is enclosed, unique, and nothing better lies in the box
+  not_unique,  // the minimum is proved, its minimisers are several or a continuum: the enclosure holds one of
+               // them
+  out_of_boxes,      // branch and bound ran out: the local minimum is verified, globality is not
+  not_isolated,      // the local critical point could not be verified
+  pole_in_box,       // a residual's denominator may vanish on the box
   no_local_minimum,  // no start of the local solver converged
 };
 
@@ -51,13 +54,13 @@ struct Summary {
   Enclosure minimum;                 // l1: sum of |r_i|; linf: max |r_i|; l2: sum of r_i^2
   /// Indices of the residuals that determine the minimiser (linf: attain the maximum; l1: vanish there).
   std::vector<int> active;
-  int boxes = 0;                     // examined by branch and bound
-  std::string method;                // "exact LP with dual certificate", "Sturm", "Krawczyk and branch and bound"
-  std::string message;               // one sentence for a user
+  int boxes = 0;        // examined by branch and bound
+  std::string method;   // "exact LP with dual certificate", "Sturm", "Krawczyk and branch and bound"
+  std::string message;  // one sentence for a user
 };
 
-/// Minimises and certifies; see the files named in method for how. Throws InputError when box and parameters do not match
-/// or a range is empty.
+/// Minimises and certifies; see the files named in method for how. Throws InputError when box and parameters
+/// do not match or a range is empty.
 [[nodiscard]] Summary minimise(const Problem& problem, const Options& options = {});
 
 [[nodiscard]] std::string to_string(Norm norm);

@@ -30,7 +30,8 @@ CompiledFunction::CompiledFunction(const RationalFunction& f, int variables, lon
 }
 
 template <class T>
-T CompiledFunction::evaluate_part(const Part& part, const std::vector<T>& coefficients, std::span<const T> x) {
+T CompiledFunction::evaluate_part(const Part& part, const std::vector<T>& coefficients,
+                                  std::span<const T> x) {
   const std::size_t variables = x.size();
   if (variables == 1) {  // Horner; terms come in descending powers
     T value(0);

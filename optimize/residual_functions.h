@@ -12,7 +12,8 @@ namespace subdiv {
 class CompiledFunction {
  public:
   CompiledFunction() = default;
-  /// Coefficients enclosed at the given precision; parameters beyond `variables` must not occur (std::domain_error).
+  /// Coefficients enclosed at the given precision; parameters beyond `variables` must not occur
+  /// (std::domain_error).
   CompiledFunction(const RationalFunction& f, int variables, long precision);
 
   [[nodiscard]] double evaluate(std::span<const double> x) const;

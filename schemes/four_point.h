@@ -4,8 +4,8 @@
 
 namespace subdiv {
 
-/// The four-point scheme with tension w: (-w, 0, 1/2+w, 1, 1/2+w, 0, -w), indices -3 .. 3; w = 1/16 reproduces cubics
-/// (Dyn, Levin & Gregory 1987, equation 1).
+/// The four-point scheme with tension w: (-w, 0, 1/2+w, 1, 1/2+w, 0, -w), indices -3 .. 3; w = 1/16
+/// reproduces cubics (Dyn, Levin & Gregory 1987, equation 1).
 template <class R>
 Mask<R> four_point(const R& w) {
   const R inner = fraction<R>(1, 2) + w;

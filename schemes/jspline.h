@@ -6,8 +6,8 @@
 
 namespace subdiv {
 
-/// J_{a,b} (Rossignac & Schaefer, J-splines, section 1): even points (a, 8-2a, a)/8 of P(j-1), P(j), P(j+1); odd points
-/// (b-1, 9-b, 9-b, b-1)/16 of P(j-1) .. P(j+2). Mask indices -3 .. 3.
+/// J_{a,b} (Rossignac & Schaefer, J-splines, section 1): even points (a, 8-2a, a)/8 of P(j-1), P(j), P(j+1);
+/// odd points (b-1, 9-b, 9-b, b-1)/16 of P(j-1) .. P(j+2). Mask indices -3 .. 3.
 template <class R>
 Mask<R> jspline(const R& a, const R& b) {
   const R outer = (b - R(1)) * fraction<R>(1, 16);

@@ -12,8 +12,9 @@
 namespace subdiv {
 
 /// One refinement step P'_i = sum over j of a_{i - m j} P_j, m the arity, a_i the coefficients of the symbol
-/// a(z) = sum a_i z^i. The sum of all a_i is m for an affinely invariant step. Index i of the refined sequence
-/// belongs to abscissa i / m (up to the scheme's parametric shift), so that a primal scheme has its vertex rule at a_0.
+/// a(z) = sum a_i z^i. The sum of all a_i is m for an affinely invariant step. Index i of the refined
+/// sequence belongs to abscissa i / m (up to the scheme's parametric shift), so that a primal scheme has its
+/// vertex rule at a_0.
 template <class R>
 struct Mask {
   int arity = 2;
@@ -45,14 +46,15 @@ Scheme<R> stationary(std::string name, Mask<R> mask) {
 /// {first, *rest}: anticipation steps followed by a scheme. Throws std::domain_error when the arities differ.
 template <class R>
 Scheme<R> mixed(const Scheme<R>& first, const Scheme<R>& rest) {
-  if (first.arity() != rest.arity()) throw std::domain_error("steps of a mixed scheme must have the same arity");
+  if (first.arity() != rest.arity())
+    throw std::domain_error("steps of a mixed scheme must have the same arity");
   Scheme<R> result{first.name + "+" + rest.name, first.steps};
   result.steps.insert(result.steps.end(), rest.steps.begin(), rest.steps.end());
   return result;
 }
 
-/// The symbol of k steps at once: a_{k-1}(z) a_{k-2}(z^m) ... a_0(z^(m^(k-1))); its coefficient i is the value at
-/// i / m^k of the sequence refined k times from a unit impulse. k = 0 gives 1.
+/// The symbol of k steps at once: a_{k-1}(z) a_{k-2}(z^m) ... a_0(z^(m^(k-1))); its coefficient i is the
+/// value at i / m^k of the sequence refined k times from a unit impulse. k = 0 gives 1.
 template <class R>
 Laurent<R> iterated_symbol(const Scheme<R>& scheme, int k) {
   Laurent<R> result(1);

@@ -53,7 +53,9 @@ class Algebraic {
     qqbar_neg(a.value_, a.value_);
     return a;
   }
-  friend bool operator==(const Algebraic& a, const Algebraic& b) { return qqbar_equal(a.value_, b.value_) != 0; }
+  friend bool operator==(const Algebraic& a, const Algebraic& b) {
+    return qqbar_equal(a.value_, b.value_) != 0;
+  }
   friend std::strong_ordering operator<=>(const Algebraic& a, const Algebraic& b) {
     return qqbar_cmp_re(a.value_, b.value_) <=> 0;
   }

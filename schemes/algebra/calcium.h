@@ -6,8 +6,8 @@
 #include <flint/fmpz_poly.h>
 
 // The part of Calcium 0.4 that is used here. Calcium's own headers are C only: their inline functions rely on
-// implicit conversions from void*, which C++ forbids. tests/schemes/algebra/calcium_declarations.c compiles these
-// lines after the real headers, so that a difference is an error.
+// implicit conversions from void*, which C++ forbids. tests/schemes/algebra/calcium_declarations.c compiles
+// these lines after the real headers, so that a difference is an error.
 
 #ifdef __cplusplus
 extern "C" {
@@ -59,10 +59,14 @@ void fmpz_mpoly_q_set_fmpq(fmpz_mpoly_q_t res, const fmpq_t x, const fmpz_mpoly_
 void fmpz_mpoly_q_set_si(fmpz_mpoly_q_t res, slong x, const fmpz_mpoly_ctx_t ctx);
 void fmpz_mpoly_q_canonicalise(fmpz_mpoly_q_t x, const fmpz_mpoly_ctx_t ctx);
 int fmpz_mpoly_q_equal(const fmpz_mpoly_q_t x, const fmpz_mpoly_q_t y, const fmpz_mpoly_ctx_t ctx);
-void fmpz_mpoly_q_add(fmpz_mpoly_q_t res, const fmpz_mpoly_q_t x, const fmpz_mpoly_q_t y, const fmpz_mpoly_ctx_t ctx);
-void fmpz_mpoly_q_sub(fmpz_mpoly_q_t res, const fmpz_mpoly_q_t x, const fmpz_mpoly_q_t y, const fmpz_mpoly_ctx_t ctx);
-void fmpz_mpoly_q_mul(fmpz_mpoly_q_t res, const fmpz_mpoly_q_t x, const fmpz_mpoly_q_t y, const fmpz_mpoly_ctx_t ctx);
-void fmpz_mpoly_q_div(fmpz_mpoly_q_t res, const fmpz_mpoly_q_t x, const fmpz_mpoly_q_t y, const fmpz_mpoly_ctx_t ctx);
+void fmpz_mpoly_q_add(fmpz_mpoly_q_t res, const fmpz_mpoly_q_t x, const fmpz_mpoly_q_t y,
+                      const fmpz_mpoly_ctx_t ctx);
+void fmpz_mpoly_q_sub(fmpz_mpoly_q_t res, const fmpz_mpoly_q_t x, const fmpz_mpoly_q_t y,
+                      const fmpz_mpoly_ctx_t ctx);
+void fmpz_mpoly_q_mul(fmpz_mpoly_q_t res, const fmpz_mpoly_q_t x, const fmpz_mpoly_q_t y,
+                      const fmpz_mpoly_ctx_t ctx);
+void fmpz_mpoly_q_div(fmpz_mpoly_q_t res, const fmpz_mpoly_q_t x, const fmpz_mpoly_q_t y,
+                      const fmpz_mpoly_ctx_t ctx);
 
 #ifdef __cplusplus
 }

@@ -10,7 +10,9 @@ namespace subdiv {
 template <int N>
 struct RingTraits<ceres::Jet<double, N>> {
   static constexpr bool exact = false;
-  static ceres::Jet<double, N> from_rational(const Rational& q) { return ceres::Jet<double, N>(q.to_double()); }
+  static ceres::Jet<double, N> from_rational(const Rational& q) {
+    return ceres::Jet<double, N>(q.to_double());
+  }
   static bool is_zero(const ceres::Jet<double, N>& x) { return x.a == 0.0 && x.v.isZero(0.0); }
 };
 

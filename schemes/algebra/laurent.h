@@ -19,7 +19,9 @@ class Laurent {
   Laurent() = default;
   Laurent(int n) : Laurent(0, {R(n)}) {}
   /// Coefficients of z^first, z^(first+1), ...
-  Laurent(int first, std::vector<R> coefficients) : first_(first), coefficients_(std::move(coefficients)) { trim(); }
+  Laurent(int first, std::vector<R> coefficients) : first_(first), coefficients_(std::move(coefficients)) {
+    trim();
+  }
   static Laurent constant(R c) { return Laurent(0, {std::move(c)}); }
   static Laurent monomial(int power, R c = R(1)) { return Laurent(power, {std::move(c)}); }
 
@@ -34,8 +36,12 @@ class Laurent {
     return i < first() || i > last() ? R(0) : coefficients_[static_cast<std::size_t>(i - first_)];
   }
 
-  friend Laurent operator+(const Laurent& a, const Laurent& b) { return combine(a, b, [](R& x, const R& y) { x = x + y; }); }
-  friend Laurent operator-(const Laurent& a, const Laurent& b) { return combine(a, b, [](R& x, const R& y) { x = x - y; }); }
+  friend Laurent operator+(const Laurent& a, const Laurent& b) {
+    return combine(a, b, [](R& x, const R& y) { x = x + y; });
+  }
+  friend Laurent operator-(const Laurent& a, const Laurent& b) {
+    return combine(a, b, [](R& x, const R& y) { x = x - y; });
+  }
   friend Laurent operator-(const Laurent& a) { return Laurent() - a; }
   friend Laurent operator*(const Laurent& a, const Laurent& b) {
     if (a.is_zero() || b.is_zero()) return {};
@@ -53,7 +59,8 @@ class Laurent {
   Laurent& operator-=(const Laurent& o) { return *this = *this - o; }
   Laurent& operator*=(const Laurent& o) { return *this = *this * o; }
   friend bool operator==(const Laurent& a, const Laurent& b) {
-    return a.size() == b.size() && (a.is_zero() || a.first_ == b.first_) && a.coefficients_ == b.coefficients_;
+    return a.size() == b.size() && (a.is_zero() || a.first_ == b.first_) &&
+           a.coefficients_ == b.coefficients_;
   }
 
  private:
@@ -157,8 +164,8 @@ auto map_coefficients(const Laurent<R>& p, Map map) {
   return Laurent<S>(p.first(), std::move(result));
 }
 
-/// Quotient and remainder by a divisor whose lowest coefficient is a unit: p = q d + r, where q takes off the lowest
-/// powers first and r has support in the size(d) - 1 highest powers of p.
+/// Quotient and remainder by a divisor whose lowest coefficient is a unit: p = q d + r, where q takes off the
+/// lowest powers first and r has support in the size(d) - 1 highest powers of p.
 template <class R>
 std::pair<Laurent<R>, Laurent<R>> divide_from_below(const Laurent<R>& p, const Laurent<R>& d) {
   if (d.is_zero()) throw std::domain_error("division by zero");
@@ -204,7 +211,9 @@ std::pair<int, Laurent<R>> divide_out(Laurent<R> p, const Laurent<R>& d) {
 template <class R>
 struct RingTraits<Laurent<R>> {
   static constexpr bool exact = RingTraits<R>::exact;
-  static Laurent<R> from_rational(const Rational& q) { return Laurent<R>::constant(RingTraits<R>::from_rational(q)); }
+  static Laurent<R> from_rational(const Rational& q) {
+    return Laurent<R>::constant(RingTraits<R>::from_rational(q));
+  }
   static bool is_zero(const Laurent<R>& p) { return p.is_zero(); }
 };
 

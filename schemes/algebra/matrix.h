@@ -106,7 +106,8 @@ std::vector<Vector<R>> null_space(const Matrix<R>& a) {
     }
     Vector<R> x = Vector<R>::Constant(a.cols(), R(0));
     x(column) = R(1);
-    for (std::size_t i = 0; i < pivots.size(); ++i) x(pivots[i]) = -reduced(static_cast<Eigen::Index>(i), column);
+    for (std::size_t i = 0; i < pivots.size(); ++i)
+      x(pivots[i]) = -reduced(static_cast<Eigen::Index>(i), column);
     basis.push_back(std::move(x));
   }
   return basis;
@@ -119,7 +120,8 @@ std::optional<Vector<R>> solve(const Matrix<R>& a, const Vector<R>& b) {
   augmented.leftCols(a.cols()) = a;
   augmented.col(a.cols()) = b;
   const auto [reduced, pivots] = row_reduce(std::move(augmented));
-  if (static_cast<Eigen::Index>(pivots.size()) != a.cols() || (!pivots.empty() && pivots.back() == a.cols())) {
+  if (static_cast<Eigen::Index>(pivots.size()) != a.cols() ||
+      (!pivots.empty() && pivots.back() == a.cols())) {
     return std::nullopt;
   }
   return Vector<R>(reduced.col(a.cols()).head(a.cols()));

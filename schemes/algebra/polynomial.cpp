@@ -19,7 +19,9 @@ struct Context {
 std::vector<std::string> complete_names(std::span<const std::string> names) {
   std::vector<std::string> result(names.begin(), names.end());
   for (auto i = result.size(); i < max_parameters; ++i) {
-    result.push_back(i == symbol_variable ? "z" : i == eigenvalue_variable ? "lambda" : "x" + std::to_string(i));
+    result.push_back(i == symbol_variable       ? "z"
+                     : i == eigenvalue_variable ? "lambda"
+                                                : "x" + std::to_string(i));
   }
   return result;
 }
@@ -43,7 +45,9 @@ Polynomial Polynomial::variable(int i) {
 }
 
 Polynomial::Polynomial(const Polynomial& o) : Polynomial() { fmpq_mpoly_set(value_, o.value_, context()); }
-Polynomial::Polynomial(Polynomial&& o) noexcept : Polynomial() { fmpq_mpoly_swap(value_, o.value_, context()); }
+Polynomial::Polynomial(Polynomial&& o) noexcept : Polynomial() {
+  fmpq_mpoly_swap(value_, o.value_, context());
+}
 Polynomial& Polynomial::operator=(const Polynomial& o) {
   if (this != &o) fmpq_mpoly_set(value_, o.value_, context());
   return *this;
@@ -173,7 +177,8 @@ Factorization factor(const Polynomial& p) {
     for (long i = 0; i < count; ++i) {
       Polynomial base;
       fmpq_mpoly_factor_get_base(base.raw(), raw, i, Polynomial::context());
-      result.factors.emplace_back(std::move(base), static_cast<int>(fmpq_mpoly_factor_get_exp_si(raw, i, Polynomial::context())));
+      result.factors.emplace_back(
+          std::move(base), static_cast<int>(fmpq_mpoly_factor_get_exp_si(raw, i, Polynomial::context())));
     }
   }
   fmpq_mpoly_factor_clear(raw, Polynomial::context());

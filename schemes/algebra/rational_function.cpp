@@ -68,7 +68,9 @@ bool operator==(const RationalFunction& a, const RationalFunction& b) {
 }
 
 bool RationalFunction::is_zero() const { return fmpz_mpoly_is_zero(&value_->num, context()) != 0; }
-bool RationalFunction::is_constant() const { return fmpz_mpoly_is_fmpz(&value_->num, context()) != 0 && fmpz_mpoly_is_fmpz(&value_->den, context()) != 0; }
+bool RationalFunction::is_constant() const {
+  return fmpz_mpoly_is_fmpz(&value_->num, context()) != 0 && fmpz_mpoly_is_fmpz(&value_->den, context()) != 0;
+}
 Rational RationalFunction::constant() const { return numerator().constant() / denominator().constant(); }
 Polynomial RationalFunction::numerator() const { return from_integer_polynomial(&value_->num); }
 Polynomial RationalFunction::denominator() const { return from_integer_polynomial(&value_->den); }
@@ -84,7 +86,8 @@ std::string RationalFunction::to_string(std::span<const std::string> names) cons
   const Polynomial d = denominator();
   if (d == Polynomial(1)) return n;
   const bool plain = d.is_constant() && numerator().terms().size() <= 1;
-  return (plain ? n : "(" + n + ")") + "/" + (d.is_constant() ? d.to_string(names) : "(" + d.to_string(names) + ")");
+  return (plain ? n : "(" + n + ")") + "/" +
+         (d.is_constant() ? d.to_string(names) : "(" + d.to_string(names) + ")");
 }
 
 std::string RationalFunction::to_factored_string(std::span<const std::string> names) const {

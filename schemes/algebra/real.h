@@ -7,7 +7,8 @@
 namespace subdiv {
 
 /// A floating-point number of 100 decimal digits: for solving in high precision. Never a proof; Interval is.
-using Real = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<100>, boost::multiprecision::et_off>;
+using Real = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<100>,
+                                           boost::multiprecision::et_off>;
 
 template <>
 struct RingTraits<Real> {

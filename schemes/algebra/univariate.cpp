@@ -45,7 +45,8 @@ int sign_changes(const std::vector<UnivariatePolynomial>& chain, const Rational&
 
 }  // namespace
 
-UnivariatePolynomial::UnivariatePolynomial(const std::vector<Rational>& coefficients) : UnivariatePolynomial() {
+UnivariatePolynomial::UnivariatePolynomial(const std::vector<Rational>& coefficients)
+    : UnivariatePolynomial() {
   for (std::size_t i = 0; i < coefficients.size(); ++i) {
     fmpq_poly_set_coeff_fmpq(value_, static_cast<long>(i), coefficients[i].raw());
   }
@@ -138,7 +139,8 @@ std::vector<RealRoot> real_roots(const UnivariatePolynomial& p) {
       qqbar_clear(&root);
     }
   }
-  std::sort(result.begin(), result.end(), [](const RealRoot& a, const RealRoot& b) { return a.value < b.value; });
+  std::sort(result.begin(), result.end(),
+            [](const RealRoot& a, const RealRoot& b) { return a.value < b.value; });
   return result;
 }
 

@@ -25,7 +25,9 @@ class UnivariatePolynomial {
   /// A polynomial that uses no variable but the given one; std::domain_error otherwise.
   UnivariatePolynomial(const Polynomial& p, int variable);
 
-  UnivariatePolynomial(const UnivariatePolynomial& o) : UnivariatePolynomial() { fmpq_poly_set(value_, o.value_); }
+  UnivariatePolynomial(const UnivariatePolynomial& o) : UnivariatePolynomial() {
+    fmpq_poly_set(value_, o.value_);
+  }
   UnivariatePolynomial(UnivariatePolynomial&& o) noexcept : UnivariatePolynomial() {
     fmpq_poly_swap(value_, o.value_);
   }
@@ -51,9 +53,15 @@ class UnivariatePolynomial {
     fmpq_poly_mul(value_, value_, o.value_);
     return *this;
   }
-  friend UnivariatePolynomial operator+(UnivariatePolynomial a, const UnivariatePolynomial& b) { return a += b; }
-  friend UnivariatePolynomial operator-(UnivariatePolynomial a, const UnivariatePolynomial& b) { return a -= b; }
-  friend UnivariatePolynomial operator*(UnivariatePolynomial a, const UnivariatePolynomial& b) { return a *= b; }
+  friend UnivariatePolynomial operator+(UnivariatePolynomial a, const UnivariatePolynomial& b) {
+    return a += b;
+  }
+  friend UnivariatePolynomial operator-(UnivariatePolynomial a, const UnivariatePolynomial& b) {
+    return a -= b;
+  }
+  friend UnivariatePolynomial operator*(UnivariatePolynomial a, const UnivariatePolynomial& b) {
+    return a *= b;
+  }
   friend UnivariatePolynomial operator-(UnivariatePolynomial a) {
     fmpq_poly_neg(a.value_, a.value_);
     return a;
