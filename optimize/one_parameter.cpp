@@ -95,6 +95,7 @@ class Search {
                                                     const Bound& bound) const;
   [[nodiscard]] bool has_pole() const;
   [[nodiscard]] int slope_sign(const Interval& x) const;
+  [[nodiscard]] UnivariatePolynomial common_factor() const;
   [[nodiscard]] std::optional<RationalFunction> defining_function(const Interval& x,
                                                                   std::vector<int>& active) const;
   [[nodiscard]] std::optional<RationalFunction> kink_of_maximum(const Interval& x,
@@ -254,7 +255,7 @@ std::optional<RationalFunction> Search::kink_of_maximum(const Interval& x, std::
   }
   if (flat.empty() && rising.size() == 1 && falling.size() == 1) return rising[0] - falling[0];
   if (flat.size() == 1 && rising.empty() && falling.empty()) {
-    const RationalFunction derivative = flat[0].derivative(0);
+    RationalFunction derivative = flat[0].derivative(0);
     const CompiledFunction second(derivative.derivative(0), 1, options_.precision);
     if (certainly_positive(value(second, x))) return derivative;
   }
@@ -276,7 +277,7 @@ std::optional<RationalFunction> Search::critical_point_of_sum(const Interval& x,
       kinks.push_back(i);
     }
   }
-  const RationalFunction derivative = smooth.derivative(0);
+  RationalFunction derivative = smooth.derivative(0);
   if (kinks.empty()) {
     const CompiledFunction second(derivative.derivative(0), 1, options_.precision);
     return certainly_positive(value(second, x)) ? std::optional(derivative) : std::nullopt;
@@ -288,7 +289,27 @@ std::optional<RationalFunction> Search::critical_point_of_sum(const Interval& x,
   return distinct_.functions[kinks[0]];
 }
 
+/// The greatest common divisor of all residuals, whose roots make the objective 0.
+UnivariatePolynomial Search::common_factor() const {
+  UnivariatePolynomial common;
+  for (const RationalFunction& f : distinct_.functions) {
+    common = gcd(common, UnivariatePolynomial(f.numerator(), 0));
+    if (common.degree() == 0) break;
+  }
+  return common;
+}
+
 std::optional<RationalFunction> Search::defining_function(const Interval& x, std::vector<int>& active) const {
+  if (const UnivariatePolynomial common = common_factor();
+      common.degree() > 0 && count_roots(common, x.lower(), x.upper()) == 1) {
+    // Every residual vanishes there: nothing can be better.
+    for (std::size_t i = 0; i < distinct_.functions.size(); ++i) active.push_back(static_cast<int>(i));
+    RationalFunction result;
+    for (long i = common.degree(); i >= 0; --i) {
+      result = result * RationalFunction::variable(0) + RationalFunction(common.coefficient(i));
+    }
+    return result;
+  }
   return problem_.norm == Norm::linf ? kink_of_maximum(x, active) : critical_point_of_sum(x, active);
 }
 
@@ -391,8 +412,13 @@ Summary Search::run(const std::vector<double>& candidates) {
     upper = std::max(upper, leaf.upper);
   }
   summary.minimiser = {certified(lower, upper, summary.method)};
-  const Interval all = objective_at(ball(lower, upper));
-  summary.minimum = certified(std::min(all.lower(), best.upper()), best.upper(), summary.method);
+  // Boxes left out are strictly worse, so the least lower bound of the leaves holds for the whole range.
+  Rational least = best.upper();
+  for (const Node& leaf : leaves) {
+    const Interval below = bound(leaf).below;
+    least = std::min(least, below.is_finite() ? below.lower() : Rational(0));
+  }
+  summary.minimum = certified(std::max(least, Rational(0)), best.upper(), summary.method);
   if (summary.termination == Termination::out_of_boxes) {
     summary.minimiser[0].status = Status::out_of_depth;
     summary.minimum.status = Status::out_of_depth;

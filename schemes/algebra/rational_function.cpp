@@ -81,22 +81,31 @@ RationalFunction RationalFunction::derivative(int variable) const {
   return RationalFunction(n.derivative(variable) * d - n * d.derivative(variable)) / RationalFunction(d * d);
 }
 
+namespace {
+
+/// "n/d" with parentheses only where they are needed.
+std::string quotient_string(const std::string& above, bool above_is_product, const std::string& below) {
+  const bool below_is_atom = below.find_first_of("*+- ") == std::string::npos ||
+                             (below.front() == '(' && below.find(')') == below.size() - 1);
+  return (above_is_product ? above : "(" + above + ")") + "/" + (below_is_atom ? below : "(" + below + ")");
+}
+
+}  // namespace
+
 std::string RationalFunction::to_string(std::span<const std::string> names) const {
-  const std::string n = numerator().to_string(names);
-  const Polynomial d = denominator();
-  if (d == Polynomial(1)) return n;
-  const bool plain = d.is_constant() && numerator().terms().size() <= 1;
-  return (plain ? n : "(" + n + ")") + "/" +
-         (d.is_constant() ? d.to_string(names) : "(" + d.to_string(names) + ")");
+  const Polynomial above = numerator();
+  const Polynomial below = denominator();
+  if (below == Polynomial(1)) return above.to_string(names);
+  const bool single = above.terms().size() <= 1;
+  const std::string below_text = below.to_string(names);
+  return quotient_string(above.to_string(names), single, below_text);
 }
 
 std::string RationalFunction::to_factored_string(std::span<const std::string> names) const {
-  const std::string n = subdiv::to_factored_string(numerator(), names);
-  const Polynomial d = denominator();
-  if (d == Polynomial(1)) return n;
-  const std::string below = subdiv::to_factored_string(d, names);
-  const bool simple = below.find_first_of("*^+-") == std::string::npos;
-  return n + "/" + (simple || d.is_constant() ? below : "(" + below + ")");
+  const Polynomial below = denominator();
+  std::string above_text = subdiv::to_factored_string(numerator(), names);
+  if (below == Polynomial(1)) return above_text;
+  return quotient_string(above_text, true, subdiv::to_factored_string(below, names));
 }
 
 }  // namespace subdiv
