@@ -1,0 +1,145 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "schemes/algebra/rational.h"
+#include "schemes/expression_ring.h"
+#include "schemes/input_error.h"
+#include "schemes/text.h"
+
+namespace subdiv {
+
+/// A value that a ring cannot hold, such as sqrt(2) among the rationals, or only at too high a cost; a larger
+/// or an inexact ring can.
+class OutsideRingError : public InputError {
+ public:
+  using InputError::InputError;
+};
+
+/// A parsed exact expression, an immutable value:
+///
+///     sum     = product { (+|-) product }          number = digits, decimals with optional exponent: 2,
+///     0.46415, 1e-3 product = signed { (*|/) signed }            name   = a letter, then letters, digits and
+///     _ signed  = { +|- } power                      p/q is a quotient; -z^2 is -(z^2) power   = atom [ ^
+///     integer ]                 the integer may have a sign and stand in parentheses atom    = number | name
+///     | sqrt ( sum ) | ( sum )
+///
+/// Decimals mean their exact value. Nothing is evaluated when parsing, so division by zero is found later.
+/// Depth, powers and size are limited, so that no text can exhaust the stack or the memory.
+class Expression {
+ public:
+  /// Throws InputError with the column, what was found and what was expected.
+  static Expression parse(std::string_view text);
+
+  enum class Kind { number, name, negate, add, subtract, multiply, divide, power, square_root };
+  /// Operands stand before their operator: node k's operands are nodes of smaller index, and the nodes of the
+  /// subexpression with root k are first .. k.
+  struct Node {
+    Kind kind;
+    std::size_t begin = 0;  // the node's source text, positions [begin, end), with its parentheses
+    std::size_t end = 0;
+    std::size_t position = 0;  // where an error in this node is shown: the operator
+    std::size_t first = 0;
+    std::size_t left = 0;   // operand (the only one of negate, power, square_root)
+    std::size_t right = 0;  // second operand
+    long exponent = 0;
+    std::string name{};
+    Rational value{};      // of a number
+    Rational half_unit{};  // half a unit of a decimal's last digit; 0 for integers
+  };
+
+  [[nodiscard]] const std::string& text() const { return text_; }
+  [[nodiscard]] const std::vector<Node>& nodes() const { return nodes_; }
+  [[nodiscard]] std::size_t root() const { return nodes_.size() - 1; }
+  [[nodiscard]] std::string_view source(const Node& node) const {
+    return std::string_view(text_).substr(node.begin, node.end - node.begin);
+  }
+  /// The distinct names that occur in the subexpression with this root, by first appearance.
+  [[nodiscard]] std::vector<std::string> names(std::size_t root) const;
+  [[nodiscard]] std::vector<std::string> names() const { return names(root()); }
+  /// Whether a decimal, as opposed to integers alone, occurs in the subexpression with this root.
+  [[nodiscard]] bool has_decimals(std::size_t root) const;
+  [[nodiscard]] bool has_decimals() const { return has_decimals(root()); }
+  /// "column 2 of '1/(6+s)': what", about a node.
+  [[nodiscard]] std::string locate(const Node& node, const std::string& what) const {
+    return located(text_, node.position, what);
+  }
+
+ private:
+  Expression(std::string text, std::vector<Node> nodes) : text_(std::move(text)), nodes_(std::move(nodes)) {}
+
+  std::string text_;
+  std::vector<Node> nodes_;
+};
+
+/// The value over a ring R of the subexpression with the given root. lookup(name, node) gives a name's value,
+/// literal(node) a number's. Throws InputError with the column for division by zero, roots of negative
+/// numbers and values too large to compute; OutsideRingError for a root that R does not hold.
+template <class R, class Lookup, class Literal>
+R evaluate(const Expression& expression, std::size_t root, const Lookup& lookup, const Literal& literal) {
+  using Kind = Expression::Kind;
+  using Ring = ExpressionRing<R>;
+  const std::vector<Expression::Node>& nodes = expression.nodes();
+  const std::size_t first = nodes[root].first;
+  std::vector<R> values;
+  const auto compute = [&](const Expression::Node& node) -> R {
+    const auto left = [&]() -> const R& { return values[node.left - first]; };
+    const auto right = [&]() -> const R& { return values[node.right - first]; };
+    switch (node.kind) {
+      case Kind::number:
+        return literal(node);
+      case Kind::name:
+        return lookup(node.name, node);
+      case Kind::negate:
+        return R(0) - left();
+      case Kind::add:
+        return affordable_sum<R>(left(), right());
+      case Kind::subtract:
+        return affordable_sum<R>(left(), R(0) - right());
+      case Kind::multiply:
+        return affordable_product<R>(left(), right());
+      case Kind::divide:
+        if (is_zero(right())) {
+          throw std::domain_error("division by zero: " + in_quotes(expression.source(nodes[node.right])) +
+                                  " is 0");
+        }
+        return Ring::quotient(left(), right());
+      case Kind::power:
+        return integer_power<R>(left(), node.exponent);
+      case Kind::square_root:
+        return Ring::square_root(left());
+    }
+    throw std::logic_error("no such kind of node");
+  };
+  for (std::size_t i = first; i <= root; ++i) {
+    const Expression::Node& node = nodes[i];
+    try {
+      values.push_back(compute(node));
+    } catch (const OutsideRing& error) {
+      throw OutsideRingError(expression.locate(node, error.what()));
+    } catch (const std::domain_error& error) {
+      throw InputError(expression.locate(node, error.what()));
+    }
+  }
+  return std::move(values.back());
+}
+
+/// The value of the whole expression, numbers taken as their exact values.
+template <class R, class Lookup>
+R evaluate(const Expression& expression, const Lookup& lookup) {
+  const auto literal = [](const Expression::Node& node) { return from_rational<R>(node.value); };
+  return evaluate<R>(expression, expression.root(), lookup, literal);
+}
+
+/// A constant's value. Names are errors (InputError).
+template <class R>
+R evaluate_constant(const Expression& expression) {
+  return evaluate<R>(expression, [&](const std::string& name, const Expression::Node& node) -> R {
+    throw InputError(expression.locate(node, "expected a number, found the name " + in_quotes(name)));
+  });
+}
+
+}  // namespace subdiv
