@@ -1,0 +1,238 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "schemes/mask.h"
+#include "schemes/scheme_description.h"
+#include "schemes/symbol_expression.h"
+
+namespace subdiv {
+
+/// The masks of a described scheme over a ring R; free_values[i] stands for the free parameter i
+/// (std::domain_error unless there is one for each). R is any field of schemes/algebra, double, or a Ceres
+/// Jet. Throws InputError where a value does not exist: division by zero, a root of a negative number, a mask
+/// that does not sum to its arity; OutsideRingError for a root that R does not hold. The sum is checked over
+/// exact rings only, and over Interval as far as an interval can tell.
+template <class R>
+Scheme<R> instantiate(const SchemeDescription& scheme, std::span<const R> free_values = {});
+
+/// The masks over the rational functions of the free parameters, x_i for free parameter i.
+[[nodiscard]] Scheme<RationalFunction> symbolic_scheme(const SchemeDescription& scheme);
+
+/// The masks as intervals at a working precision in bits. In a rounded scheme every decimal of a scheme file
+/// is an interval of half a unit of its last digit on both sides.
+[[nodiscard]] Scheme<Interval> interval_scheme(const SchemeDescription& scheme,
+                                               std::span<const Interval> free_values = {},
+                                               long precision = Interval::default_precision);
+
+/// The same with the symbols as they are written: for scheme files with a symbol, the smoothing factors that
+/// stand in its top-level product are counted exactly, whatever the other factors are. Steps of other origin
+/// count none.
+[[nodiscard]] std::vector<FactoredSymbol<Interval>> factored_interval_symbols(
+    const SchemeDescription& scheme, std::span<const Interval> free_values = {},
+    long precision = Interval::default_precision);
+
+/// The smallest ring that holds the masks: rationals; real algebraic numbers (roots occur, nothing is free);
+/// rational functions of the free parameters; none, when roots meet free parameters or numbers of too high a
+/// degree: then only inexact rings do.
+enum class Field { rational, algebraic, rational_function, inexact };
+[[nodiscard]] Field smallest_field(const SchemeDescription& scheme);
+
+/// The masks over the smallest exact ring that holds them. InputError when none does.
+using ExactScheme = std::variant<Scheme<Rational>, Scheme<Algebraic>, Scheme<RationalFunction>>;
+[[nodiscard]] ExactScheme exact_scheme(const SchemeDescription& scheme);
+
+// ---- Implementation
+// ----------------------------------------------------------------------------------------------------------
+
+namespace detail {
+
+/// How a literal with this value, known to half_unit on both sides, is represented over R.
+template <class R>
+struct ExactLiteral {
+  R operator()(const Rational& value, const Rational& /*half_unit*/) const { return from_rational<R>(value); }
+  static constexpr bool decimals_are_exact = true;
+};
+
+struct IntervalLiteral {
+  long precision;
+  bool decimals_are_exact;
+  Interval operator()(const Rational& value, const Rational& half_unit) const {
+    if (decimals_are_exact || half_unit.sign() == 0) return Interval(value, precision);
+    return Interval::hull(value - half_unit, value + half_unit, precision);
+  }
+};
+
+/// " at s = -6, t = 1/2": the values under which something failed.
+[[nodiscard]] std::string values_text(const StepDescription& step);
+/// Throws InputError unless the mask is neither zero nor too long.
+void require_size(const StepDescription& step, int size);
+/// Throws InputError that says by how much the sum misses the arity.
+[[noreturn]] void reject_sum(const SchemeDescription& scheme, const StepDescription& step,
+                             const std::string& sum, const std::string& miss);
+/// Text for a message: the exact value, and its size where that is hard to see.
+[[nodiscard]] std::string shown(const Rational& x);
+
+/// Names bound to the values of the free parameters.
+template <class R, class Literal>
+class Evaluator {
+ public:
+  Evaluator(const SchemeDescription& scheme, std::span<const R> free_values, Literal literal)
+      : scheme_(scheme), literal_(literal) {
+    if (free_values.size() != scheme.free_parameters.size()) {
+      throw std::domain_error("a scheme needs one value for each of its free parameters");
+    }
+    for (std::size_t i = 0; i < free_values.size(); ++i)
+      free_.emplace(scheme.free_parameters[i], free_values[i]);
+  }
+
+  [[nodiscard]] FactoredSymbol<R> factored_symbol(const StepDescription& step) const {
+    const Bindings<R> bindings = bind(step);
+    try {
+      return step.file ? file_symbol(*step.file, bindings)
+                       : FactoredSymbol<R>{0, family_symbol(step, bindings)};
+    } catch (const OutsideRingError& error) {
+      throw OutsideRingError(error.what() + values_text(step));
+    } catch (const InputError& error) {
+      throw InputError(error.what() + values_text(step));
+    }
+  }
+
+  [[nodiscard]] Mask<R> mask(const StepDescription& step) const {
+    const int arity = step_arity(step);
+    Mask<R> result{arity, factored_symbol(step).expanded(arity)};
+    require_size(step, result.symbol.size());
+    require_sum(step, result);
+    return result;
+  }
+
+ private:
+  /// The values of a step's parameters.
+  [[nodiscard]] Bindings<R> bind(const StepDescription& step) const {
+    const auto lookup = [&](const std::string& name, const Expression::Node& /*node*/) {
+      return free_.at(name);
+    };
+    const auto exact = [&](const Expression::Node& node) { return literal_(node.value, Rational(0)); };
+    Bindings<R> result;
+    for (const Argument& argument : step.arguments) {
+      const Expression& value = argument.value;
+      try {
+        result.values.emplace(argument.name, evaluate<R>(value, value.root(), lookup, exact));
+        if (value.names().empty()) result.rational.emplace(argument.name, evaluate_constant<Rational>(value));
+      } catch (const OutsideRingError& error) {
+        if (!result.values.contains(argument.name)) {
+          throw OutsideRingError(in_quotes(step.text) + ": value of " + argument.name + ", " + error.what());
+        }
+      } catch (const InputError& error) {
+        throw InputError(in_quotes(step.text) + ": value of " + argument.name + ", " + error.what());
+      }
+    }
+    return result;
+  }
+
+  [[nodiscard]] Laurent<R> family_symbol(const StepDescription& step, const Bindings<R>& bindings) const {
+    std::vector<R> real_values;
+    for (const Parameter& parameter : step.form->parameters) {
+      if (!parameter.whole) real_values.push_back(bindings.values.at(parameter.name));
+    }
+    const auto at_values = [&](const Polynomial& coefficient) {
+      R sum(0);
+      for (const Polynomial::Term& term : coefficient.terms()) {
+        R product = literal_(term.coefficient, Rational(0));
+        for (std::size_t i = 0; i < real_values.size(); ++i) {
+          for (long k = 0; k < term.exponents[i]; ++k) product = product * real_values[i];
+        }
+        sum = sum + product;
+      }
+      return sum;
+    };
+    return map_coefficients(step.form->mask(step.whole).symbol, at_values);
+  }
+
+  [[nodiscard]] FactoredSymbol<R> file_symbol(const SchemeFile& file, const Bindings<R>& bindings) const {
+    const auto literal = [&](const Expression::Node& node) { return literal_(node.value, node.half_unit); };
+    if (file.symbol) {
+      return in_place(file.symbol_place(), [&] {
+        return subdiv::factored_symbol(file.symbol->expression, file.arity, bindings, literal,
+                                       literal_.decimals_are_exact);
+      });
+    }
+    const auto lookup = [&](const std::string& name, const Expression::Node&) {
+      return bindings.values.at(name);
+    };
+    std::vector<R> coefficients;
+    for (std::size_t i = 0; i < file.coefficients.size(); ++i) {
+      const Expression& value = file.coefficients[i].expression;
+      coefficients.push_back(in_place(file.coefficient_place(i),
+                                      [&] { return evaluate<R>(value, value.root(), lookup, literal); }));
+    }
+    return {0, Laurent<R>(file.first, std::move(coefficients))};
+  }
+
+  /// Runs a computation; the place opens the message of its InputError.
+  template <class Computation>
+  static auto in_place(const std::string& place, const Computation& computation) {
+    try {
+      return computation();
+    } catch (const OutsideRingError& error) {
+      throw OutsideRingError(place + ": " + error.what());
+    } catch (const InputError& error) {
+      throw InputError(place + ": " + error.what());
+    }
+  }
+
+  [[nodiscard]] static int step_arity(const StepDescription& step) {
+    return step.file ? step.file->arity : step.form->mask(step.whole).arity;
+  }
+
+  void require_sum(const StepDescription& step, const Mask<R>& mask) const {
+    const R total = sum(mask.symbol);
+    const R miss = total - R(mask.arity);
+    if constexpr (ExactRing<R>) {
+      if (!scheme_.rounded && !is_zero(miss)) reject(step, total, miss);
+    } else if constexpr (std::is_same_v<R, Interval>) {
+      const bool checked = !scheme_.rounded || !literal_.decimals_are_exact;
+      if (checked && !miss.contains_zero()) reject_sum(scheme_, step, total.to_string(), miss.to_string());
+    }
+  }
+  [[noreturn]] void reject(const StepDescription& step, const R& total, const R& miss) const {
+    if constexpr (std::is_same_v<R, RationalFunction>) {
+      const std::vector<std::string>& names = scheme_.free_parameters;
+      reject_sum(scheme_, step, total.to_string(names), miss.to_string(names));
+    } else if constexpr (std::is_same_v<R, Rational>) {
+      reject_sum(scheme_, step, shown(total), shown(miss));
+    } else {
+      reject_sum(scheme_, step, total.to_string(), miss.to_string());
+    }
+  }
+
+  const SchemeDescription& scheme_;
+  Literal literal_;
+  std::map<std::string, R, std::less<>> free_;
+};
+
+template <class R, class Literal>
+Scheme<R> instantiate_with(const SchemeDescription& scheme, std::span<const R> free_values, Literal literal) {
+  const Evaluator<R, Literal> evaluator(scheme, free_values, literal);
+  Scheme<R> result{scheme.text, {}};
+  for (const StepDescription& step : scheme.steps) result.steps.push_back(evaluator.mask(step));
+  return result;
+}
+
+}  // namespace detail
+
+template <class R>
+Scheme<R> instantiate(const SchemeDescription& scheme, std::span<const R> free_values) {
+  return detail::instantiate_with(scheme, free_values, detail::ExactLiteral<R>{});
+}
+
+}  // namespace subdiv

@@ -1,0 +1,208 @@
+#include "schemes/scheme_description.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <utility>
+
+#include "schemes/algebra/polynomial.h"
+#include "schemes/input_error.h"
+#include "schemes/instantiate.h"
+#include "schemes/text.h"
+
+namespace subdiv {
+namespace {
+
+constexpr std::string_view file_ending = ".json";
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// Whether the '+' or '-' at i is the sign of a decimal's exponent, as in w=1e+3.
+bool is_exponent_sign(std::string_view text, std::size_t i) {
+  if (i < 2 || i + 1 >= text.size() || !is_digit(text[i + 1])) return false;
+  return (text[i - 1] == 'e' || text[i - 1] == 'E') && (is_digit(text[i - 2]) || text[i - 2] == '.');
+}
+
+/// The pieces between separators that stand outside parentheses.
+std::vector<std::string_view> split(std::string_view text, char separator) {
+  std::vector<std::string_view> pieces;
+  int depth = 0;
+  std::size_t start = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '(') ++depth;
+    if (text[i] == ')') depth = std::max(0, depth - 1);
+    if (depth > 0 || text[i] != separator || is_exponent_sign(text, i)) continue;
+    pieces.push_back(trimmed(text.substr(start, i - start)));
+    start = i + 1;
+  }
+  pieces.push_back(trimmed(text.substr(start)));
+  return pieces;
+}
+
+/// Where a step's name ends: the first ".json" that a ':' or the end follows, else the first ':'.
+std::size_t name_length(std::string_view step) {
+  for (std::size_t i = step.find(file_ending); i != std::string_view::npos;
+       i = step.find(file_ending, i + 1)) {
+    const std::size_t end = i + file_ending.size();
+    if (end == step.size() || step[end] == ':') return end;
+  }
+  return std::min(step.find(':'), step.size());
+}
+
+Argument parse_argument(std::string_view text) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string_view::npos) {
+    throw InputError(in_quotes(text) +
+                     " gives no value; write parameter=value, such as s=3/2, separated by commas");
+  }
+  const std::string name(trimmed(text.substr(0, equals)));
+  if (name.empty()) throw InputError(in_quotes(text) + " names no parameter before '='");
+  try {
+    return {name, Expression::parse(text.substr(equals + 1))};
+  } catch (const InputError& error) {
+    throw InputError("value of " + in_quotes(name) + ", " + error.what());
+  }
+}
+
+std::vector<Argument> parse_arguments(std::string_view text) {
+  std::vector<Argument> arguments;
+  for (const std::string_view piece : split(text, ',')) {
+    arguments.push_back(parse_argument(piece));
+    const auto same_name = [&](const Argument& a) { return a.name == arguments.back().name; };
+    if (std::count_if(arguments.begin(), arguments.end(), same_name) > 1) {
+      throw InputError("parameter " + in_quotes(arguments.back().name) + " is given twice");
+    }
+  }
+  return arguments;
+}
+
+std::optional<Expression> value_of(const std::vector<Argument>& arguments, const std::string& name) {
+  const auto found =
+      std::find_if(arguments.begin(), arguments.end(), [&](const Argument& a) { return a.name == name; });
+  return found == arguments.end() ? std::nullopt : std::optional<Expression>(found->value);
+}
+
+long whole_value(const Parameter& parameter, const Expression& value) {
+  const std::string expected = parameter.name + " must be " + parameter.range();
+  if (!value.names().empty())
+    throw InputError(expected + "; it cannot be left free as " + in_quotes(value.text()));
+  const auto number = evaluate_constant<Rational>(value);
+  const bool in_range = number.is_integer() && Rational(parameter.least) <= number &&
+                        number <= Rational(parameter.greatest) &&
+                        (number.to_integer() - parameter.least) % parameter.step == 0;
+  if (!in_range) throw InputError(expected + ", not " + in_quotes(value.text()));
+  return number.to_integer();
+}
+
+void complete_from_catalogue(StepDescription& step, std::string_view name,
+                             const std::vector<Argument>& given) {
+  step.family = &find_family(name);
+  std::vector<std::string> names;
+  for (const Argument& argument : given) names.push_back(argument.name);
+  step.form = &find_form(*step.family, names);
+  for (const Parameter& parameter : step.form->parameters) {
+    const std::optional<Expression> value = value_of(given, parameter.name);
+    step.arguments.push_back({parameter.name, value ? *value : Expression::parse(parameter.default_value)});
+    if (parameter.whole) step.whole.push_back(whole_value(parameter, step.arguments.back().value));
+  }
+}
+
+void complete_from_file(StepDescription& step, const std::vector<Argument>& given) {
+  std::vector<std::string> known;
+  for (const SchemeFile::Parameter& parameter : step.file->parameters) {
+    known.push_back(parameter.name);
+    const std::optional<Expression> value = value_of(given, parameter.name);
+    step.arguments.push_back({parameter.name, value ? *value : parameter.default_value.expression});
+  }
+  for (const Argument& argument : given) {
+    if (std::find(known.begin(), known.end(), argument.name) != known.end()) continue;
+    const std::string listed =
+        known.empty() ? " The file declares no parameters" : " The file declares " + joined(known, "and");
+    throw InputError(step.file->path + " has no parameter " + in_quotes(argument.name) +
+                     suggestion(argument.name, known) + listed);
+  }
+}
+
+void add_free_names(const std::vector<Argument>& given, std::vector<std::string>& free_parameters) {
+  for (const Argument& argument : given) {
+    for (const std::string& name : argument.value.names()) {
+      if (std::find(free_parameters.begin(), free_parameters.end(), name) != free_parameters.end()) continue;
+      require_parameter_name(name, "value of " + argument.name);
+      free_parameters.push_back(name);
+    }
+  }
+  if (free_parameters.size() > static_cast<std::size_t>(max_free_parameters)) {
+    throw InputError("more than " + std::to_string(max_free_parameters) +
+                     " free parameters: " + joined(free_parameters, "and") + "; give some of them values");
+  }
+}
+
+StepDescription parse_step(std::string_view text, std::vector<std::string>& free_parameters) {
+  const std::size_t end = name_length(text);
+  const std::string_view name = trimmed(text.substr(0, end));
+  StepDescription step;
+  step.text = text;
+  if (name.empty()) {
+    throw InputError(
+        "a scheme's name is missing; steps are joined by one '+', and a sum in a value stands in "
+        "parentheses");
+  }
+  std::vector<Argument> given;
+  if (end < text.size()) given = parse_arguments(text.substr(end + 1));
+  if (name.ends_with(file_ending)) {
+    step.file = std::make_shared<const SchemeFile>(read_scheme_file(std::string(name)));
+    complete_from_file(step, given);
+  } else {
+    complete_from_catalogue(step, name, given);
+  }
+  add_free_names(given, free_parameters);
+  return step;
+}
+
+int arity(const StepDescription& step) {
+  return step.file ? step.file->arity : step.form->mask(step.whole).arity;
+}
+
+void require_one_arity(const SchemeDescription& scheme) {
+  const int first = arity(scheme.steps.front());
+  for (const StepDescription& step : scheme.steps) {
+    if (arity(step) != first) {
+      throw InputError("steps of different arity: " + in_quotes(scheme.steps.front().text) + " has arity " +
+                       std::to_string(first) + ", " + in_quotes(step.text) + " has arity " +
+                       std::to_string(arity(step)));
+    }
+  }
+}
+
+/// Computes the masks, so that errors come out before any question is asked.
+void require_masks(const SchemeDescription& scheme) {
+  const bool has_free = !scheme.free_parameters.empty();
+  const bool inexact = smallest_field(scheme) == Field::inexact;
+  if ((inexact || scheme.rounded) && !has_free) static_cast<void>(interval_scheme(scheme));
+}
+
+}  // namespace
+
+SchemeDescription parse_scheme(std::string_view text, const SchemeOptions& options) {
+  constexpr std::size_t most_steps = 1000;
+  const std::string_view inner = trimmed(text);
+  if (inner.empty())
+    throw InputError("the scheme is empty; write a name, such as jspline:s=3/2, or a file.json");
+  SchemeDescription scheme;
+  scheme.text = inner;
+  scheme.rounded = options.rounded;
+  const std::vector<std::string_view> pieces = split(inner, '+');
+  if (pieces.size() > most_steps) throw InputError("more than " + std::to_string(most_steps) + " steps");
+  for (const std::string_view piece : pieces) {
+    try {
+      scheme.steps.push_back(parse_step(piece, scheme.free_parameters));
+    } catch (const InputError& error) {
+      throw InputError("scheme " + in_quotes(piece) + ": " + error.what());
+    }
+  }
+  require_one_arity(scheme);
+  require_masks(scheme);
+  return scheme;
+}
+
+}  // namespace subdiv
