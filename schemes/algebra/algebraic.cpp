@@ -54,7 +54,8 @@ std::string Algebraic::to_string() const {
     if (abs(rb) != Rational(1)) root = abs(rb).to_string() + "*" + root;
     std::string text = rb.sign() < 0 ? "-" + root : root;
     if (ra.sign() != 0) text = ra.to_string() + (rb.sign() < 0 ? "-" : "+") + root;
-    return rq == Rational(1) ? text : "(" + text + ")/" + rq.to_string();
+    if (rq == Rational(1)) return text;
+    return (ra.sign() != 0 ? "(" + text + ")" : text) + "/" + rq.to_string();
   }
   constexpr int shown_digits = 12;
   return "root of " + UnivariatePolynomial(p).to_string("x") + " near " +
