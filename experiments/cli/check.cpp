@@ -1,0 +1,44 @@
+#include <iostream>
+
+#include "experiments/cli/progress.h"
+#include "experiments/cli/verbs.h"
+#include "experiments/report/compare.h"
+#include "experiments/selection.h"
+
+namespace subdiv::cli {
+namespace {
+
+/// Claims of the folder that the patterns mean, also those that no experiment owns any more.
+bool means(const CheckOptions& options, const std::string& id) {
+  if (options.patterns.empty()) return true;
+  for (const std::string& pattern : options.patterns) {
+    if (matches(pattern, id)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+int check(const CheckOptions& options) {
+  const Selection selection = select(experiments(), options.patterns);
+  const ResultsFolder committed = load_results(options.against);
+
+  std::vector<Outcome> outcomes;
+  {
+    Progress progress(selection.experiments.size());
+    outcomes = run(selection.experiments, options.jobs,
+                   [&](const Experiment& experiment) { progress.finished(experiment.name); });
+  }
+  auto differences = compare(options.against, committed, outcomes,
+                             [&](const std::string& id) { return means(options, id); });
+  for (const Outcome& outcome : outcomes) {
+    if (outcome.broke())
+      differences.push_back("experiment '" + outcome.experiment->name + "' broke: " + outcome.error);
+  }
+  for (const std::string& difference : differences) std::cout << difference << "\n";
+  std::cout << selection.ids.size() << " claims checked against " << options.against << ": "
+            << differences.size() << (differences.size() == 1 ? " difference\n" : " differences\n");
+  return differences.empty() ? ExitCode::done : ExitCode::differs;
+}
+
+}  // namespace subdiv::cli

@@ -1,0 +1,127 @@
+#include <algorithm>
+#include <functional>
+#include <iostream>
+#include <thread>
+
+#include <CLI/CLI.hpp>
+
+#include "experiments/cli/verbs.h"
+#include "schemes/input_error.h"
+#include "schemes/text.h"
+
+namespace subdiv::cli {
+namespace {
+
+constexpr const char* exit_codes =
+    "Exit codes: 0 done (refuted claims are results); 1 a comparison fails, a verdict changed or an\n"
+    "experiment broke; 2 bad input or usage; 3 undecided within the budget.";
+
+int default_jobs() { return static_cast<int>(std::max(1U, std::thread::hardware_concurrency())); }
+
+void add_jobs(CLI::App& verb, int& jobs) {
+  jobs = default_jobs();
+  constexpr int most = 1024;
+  verb.add_option("--jobs,-j", jobs, "Experiments that run at the same time (default: one a processor)")
+      ->type_name("N")
+      ->check(CLI::Range(1, most));
+}
+
+/// The command line: CLI11 fills the options, the chosen verb's callback stands in `action`.
+struct CommandLine {
+  CLI::App app{
+      "Analyses and optimises subdivision schemes, and regenerates, with proof, the claims of the papers.",
+      "subdivlab"};
+  std::function<int()> action;
+  ReproduceOptions reproduce_options;
+  CheckOptions check_options;
+  ListOptions list_options;
+
+  CommandLine() {
+    app.set_version_flag("--version", "subdivlab " SUBDIVLAB_VERSION);
+    app.require_subcommand(1);
+    app.footer(std::string("Example:  subdivlab reproduce 'area.*' --out /tmp/results\n\n"
+                           "'subdivlab VERB --help' shows the options of a verb.\n") +
+               exit_codes);
+    add_reproduce();
+    add_check();
+    add_list();
+  }
+
+  void add_reproduce() {
+    auto& options = reproduce_options;
+    CLI::App& verb =
+        *app.add_subcommand("reproduce", "Run experiments, write the results folder, print the claims");
+    verb.add_option("PATTERN", options.patterns,
+                    "Claims by id, with * and ?: their experiments run (default: all)");
+    verb.add_option("--out,-o", options.out, "The results folder to write")
+        ->type_name("DIR")
+        ->capture_default_str();
+    add_jobs(verb, options.jobs);
+    verb.footer(std::string("Examples:  subdivlab reproduce\n"
+                            "           subdivlab reproduce 'family.*' 'area.r' --out /tmp/results\n\n") +
+                exit_codes);
+    verb.callback([this] { action = [this] { return reproduce(reproduce_options); }; });
+  }
+
+  void add_check() {
+    auto& options = check_options;
+    CLI::App& verb = *app.add_subcommand("check", "Run experiments again and compare with a results folder");
+    verb.add_option("PATTERN", options.patterns, "Claims by id, with * and ? (default: all)");
+    verb.add_option("--against", options.against, "The results folder to compare with")
+        ->type_name("DIR")
+        ->capture_default_str();
+    add_jobs(verb, options.jobs);
+    verb.footer(std::string("Example:  subdivlab check 'area.*' --against results\n\n") + exit_codes);
+    verb.callback([this] { action = [this] { return check(check_options); }; });
+  }
+
+  void add_list() {
+    auto& options = list_options;
+    CLI::App& verb = *app.add_subcommand("list", "Name the claims that can be reproduced");
+    verb.add_option("WHAT", options.what, "claims (default: everything)")->check(CLI::IsMember({"claims"}));
+    verb.add_flag("--json", options.json, "Machine-readable output");
+    verb.footer("Example:  subdivlab list claims");
+    verb.callback([this] { action = [this] { return list(list_options); }; });
+  }
+};
+
+/// CLI11 speaks of an unexpected argument when a verb is misspelt; this names the verbs.
+std::string usage_message(const CLI::App& app, const CLI::ParseError& error, int argc,
+                          const char* const* argv) {
+  std::vector<std::string> verbs;
+  for (const CLI::App* verb : app.get_subcommands(nullptr)) verbs.push_back(verb->get_name());
+  const std::string first = argc > 1 ? argv[1] : "";
+  if (app.get_subcommands().empty() && !first.starts_with('-')) {
+    if (first.empty()) return "no verb is given: one of " + joined(verbs);
+    return "there is no verb " + in_quotes(first) + suggestion(first, verbs) + " The verbs are " +
+           joined(verbs, "and");
+  }
+  return error.what();
+}
+
+}  // namespace
+
+int run_command_line(int argc, const char* const* argv) {
+  CommandLine line;
+  try {
+    line.app.parse(argc, argv);
+  } catch (const CLI::Success& answer) {  // --help and --version
+    line.app.exit(answer, std::cout, std::cerr);
+    return ExitCode::done;
+  } catch (const CLI::ParseError& error) {
+    std::cerr << "subdivlab: " << usage_message(line.app, error, argc, argv)
+              << "\n'subdivlab --help' shows examples\n";
+    return ExitCode::bad_input;
+  }
+  try {
+    return line.action();
+  } catch (const InputError& error) {
+    std::cerr << "subdivlab: " << error.what() << "\n";
+    return ExitCode::bad_input;
+  } catch (const std::exception& error) {
+    std::cerr << "subdivlab: internal error: " << error.what() << "\n";
+    return ExitCode::differs;
+  }
+}
+
+}  // namespace subdiv::cli

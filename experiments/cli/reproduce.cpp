@@ -1,0 +1,78 @@
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+
+#include "experiments/cli/progress.h"
+#include "experiments/cli/verbs.h"
+#include "experiments/report/files.h"
+#include "experiments/report/folder.h"
+#include "experiments/report/gnuplot.h"
+#include "experiments/report/markdown.h"
+#include "experiments/report/table.h"
+#include "experiments/selection.h"
+#include "schemes/input_error.h"
+
+namespace subdiv::cli {
+namespace {
+
+/// What the folder holds before the run. A run of everything replaces it, so there a folder that does not
+/// parse is no error.
+ResultsFolder old_results(const std::filesystem::path& folder, bool replaces_everything) {
+  try {
+    return load_results_if_any(folder).value_or(ResultsFolder{});
+  } catch (const InputError& error) {
+    if (!replaces_everything) throw;
+    std::cerr << "subdivlab: " << error.what() << "\nsubdivlab: this run replaces it\n";
+    return {};
+  }
+}
+
+/// Reports claims whose verdict is not what the folder held before.
+int count_changed_verdicts(const ResultsFolder& old, std::span<const ClaimRecord> claims) {
+  int changed = 0;
+  for (const ClaimRecord& claim : claims) {
+    const auto before = std::find_if(old.claims.begin(), old.claims.end(),
+                                     [&](const ClaimRecord& c) { return c.id == claim.id; });
+    if (before == old.claims.end() || before->verdict == claim.verdict) continue;
+    std::cerr << "subdivlab: " << claim.id << ": the verdict was " << before->verdict << ", it is now "
+              << claim.verdict << "\n";
+    ++changed;
+  }
+  return changed;
+}
+
+}  // namespace
+
+int reproduce(const ReproduceOptions& options) {
+  const Selection selection = select(experiments(), options.patterns);
+  require_gnuplot();
+  const std::filesystem::path folder = options.out;
+  const ResultsFolder old = old_results(folder, selection.everything);
+  prepare_folder(folder);
+
+  Progress progress(selection.experiments.size());
+  const auto outcomes = run(selection.experiments, options.jobs,
+                            [&](const Experiment& experiment) { progress.finished(experiment.name); });
+  const ResultsFolder merged = merge(experiments(), outcomes, old, selection.everything);
+  write_results(folder, experiments(), outcomes, old, merged);
+
+  std::vector<ClaimRecord> chosen;
+  std::copy_if(merged.claims.begin(), merged.claims.end(), std::back_inserter(chosen),
+               [&](const ClaimRecord& claim) { return selection.ids.contains(claim.id); });
+  const auto broken =
+      std::count_if(outcomes.begin(), outcomes.end(), [](const Outcome& o) { return o.broke(); });
+  std::cout << claims_table(chosen) << "\n" << verdict_count(chosen) << "\n" << std::flush;
+  for (const Outcome& outcome : outcomes) {
+    if (!outcome.broke()) continue;
+    std::cerr << "subdivlab: experiment '" << outcome.experiment->name
+              << "' broke, its claims stay as they were: " << outcome.error << "\n";
+  }
+  const int changed = count_changed_verdicts(old, chosen);
+  if (broken > 0 || changed > 0) return ExitCode::differs;
+  const bool open = std::any_of(chosen.begin(), chosen.end(), [](const ClaimRecord& c) {
+    return c.verdict == to_string(Verdict::undecided);
+  });
+  return open ? ExitCode::undecided : ExitCode::done;
+}
+
+}  // namespace subdiv::cli

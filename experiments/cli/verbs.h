@@ -1,0 +1,42 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace subdiv::cli {
+
+/// What the program answers to its caller; a refuted claim is a result and not a failure.
+enum ExitCode : int {
+  done = 0,
+  differs = 1,    // a comparison fails, a verdict changed, an experiment broke
+  bad_input = 2,  // bad input or usage
+  undecided = 3,  // the budget ran out before an answer
+};
+
+struct ReproduceOptions {
+  std::vector<std::string> patterns;
+  std::string out = "results";
+  int jobs = 1;
+};
+/// Runs experiments, writes the results folder and prints the table of claims.
+[[nodiscard]] int reproduce(const ReproduceOptions& options);
+
+struct CheckOptions {
+  std::vector<std::string> patterns;
+  std::string against = "results";
+  int jobs = 1;
+};
+/// Runs experiments, prints how they differ from a results folder, writes nothing.
+[[nodiscard]] int check(const CheckOptions& options);
+
+struct ListOptions {
+  std::string what;  // schemes, claims, objectives, or empty for all three
+  bool json = false;
+};
+[[nodiscard]] int list(const ListOptions& options);
+
+/// Reads the command line and runs the verb; prints help, the version and errors of usage. Returns the exit
+/// code.
+[[nodiscard]] int run_command_line(int argc, const char* const* argv);
+
+}  // namespace subdiv::cli
