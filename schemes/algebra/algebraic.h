@@ -70,7 +70,7 @@ class Algebraic {
   [[nodiscard]] long degree() const { return fmpz_poly_degree(&value_->poly); }
   /// Integer coefficients of the minimal polynomial, constant term first.
   [[nodiscard]] std::vector<Rational> minimal_polynomial() const;
-  /// "5/8", "(1+3*sqrt(5))/4" for quadratics, else "root of 32*x^3+4*x-1 near 0.1927".
+  /// "5/8", "(1+3*sqrt(5))/4" for quadratics, else "root of 32*x^3 + 4*x - 1 near 0.1927".
   [[nodiscard]] std::string to_string() const;
 
   [[nodiscard]] const qqbar_struct* raw() const { return value_; }

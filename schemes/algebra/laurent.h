@@ -169,11 +169,21 @@ auto map_coefficients(const Laurent<R>& p, Map map) {
 template <class R>
 std::pair<Laurent<R>, Laurent<R>> divide_from_below(const Laurent<R>& p, const Laurent<R>& d) {
   if (d.is_zero()) throw std::domain_error("division by zero");
+  const R& lowest = d.coefficients().front();
+  const bool monic = is_zero(lowest - R(1));
+  const auto over_lowest = [&](const R& c) -> R {
+    if (monic) return c;
+    if constexpr (requires { c / lowest; }) {
+      return c / lowest;
+    } else {
+      throw std::domain_error("this ring divides only by polynomials whose lowest coefficient is 1");
+    }
+  };
   std::vector<R> rest = p.coefficients();
   std::vector<R> quotient;
   const auto length = static_cast<std::size_t>(d.size());
   for (std::size_t i = 0; i + length <= rest.size(); ++i) {
-    const R q = d[d.first()] == R(1) ? rest[i] : rest[i] / d[d.first()];
+    const R q = over_lowest(rest[i]);
     for (std::size_t j = 0; j < length; ++j) rest[i + j] = rest[i + j] - q * d.coefficients()[j];
     rest[i] = R(0);
     quotient.push_back(q);
@@ -182,7 +192,7 @@ std::pair<Laurent<R>, Laurent<R>> divide_from_below(const Laurent<R>& p, const L
 }
 
 /// p / d when d divides p, nothing otherwise. Decided for exact rings only. Over a ring without division the
-/// lowest coefficient of d must be 1.
+/// lowest coefficient of d must be 1 (std::domain_error).
 template <ExactRing R>
 std::optional<Laurent<R>> divide_exactly(const Laurent<R>& p, const Laurent<R>& d) {
   auto [quotient, remainder] = divide_from_below(p, d);

@@ -69,7 +69,7 @@ class Polynomial {
   /// The terms in lexicographic order, highest first.
   [[nodiscard]] std::vector<Term> terms() const;
 
-  /// names[i] is printed for x_i; missing names print as x0, x1, ..; "1/2*s^2-3*s+1".
+  /// names[i] is printed for x_i; missing names print as x0, x1, ..; "1/2*s^2 - 3*s + 1".
   [[nodiscard]] std::string to_string(std::span<const std::string> names = {}) const;
 
   [[nodiscard]] const fmpq_mpoly_struct* raw() const { return value_; }
@@ -95,7 +95,7 @@ struct Factorization {
 };
 /// Factorisation into irreducibles over Q; p must not be 0 (std::domain_error).
 [[nodiscard]] Factorization factor(const Polynomial& p);
-/// "(1/8)*(s-2)*(s+1)^2".
+/// "(1/8)*(s - 2)*(s + 1)^2".
 [[nodiscard]] std::string to_factored_string(const Polynomial& p, std::span<const std::string> names = {});
 
 template <class R>

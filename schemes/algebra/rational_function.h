@@ -54,7 +54,7 @@ class RationalFunction {
     return numerator().evaluate(values) / below;
   }
 
-  /// "(s^2-s)/(12*s+72)"; factored: "s*(s-1)/(12*(s+6))".
+  /// "(s^2 - s)/(12*s + 72)"; factored: "s*(s - 1)/(12*(s + 6))".
   [[nodiscard]] std::string to_string(std::span<const std::string> names = {}) const;
   [[nodiscard]] std::string to_factored_string(std::span<const std::string> names = {}) const;
 
