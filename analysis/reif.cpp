@@ -1,0 +1,97 @@
+#include "analysis/reif.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "analysis/eigenvalues.h"
+#include "schemes/algebra/specialize.h"
+
+namespace subdiv {
+namespace {
+
+Polynomial at_eigenvalue(const Polynomial& p, const Rational& value) {
+  return p.substitute(eigenvalue_variable, Polynomial(value));
+}
+
+/// x^n p(radius^2 / x): its roots are those of p mirrored at the circle of this radius.
+Polynomial mirrored(const Polynomial& p, const Rational& radius) {
+  const std::vector<Polynomial> c = p.coefficients_in(eigenvalue_variable);
+  const std::size_t n = c.size() - 1;
+  Polynomial result;
+  for (std::size_t i = 0; i <= n; ++i) {
+    result += c[i] * Polynomial(pow(radius, 2 * static_cast<long>(i))) *
+              pow(Polynomial::variable(eigenvalue_variable), static_cast<unsigned>(n - i));
+  }
+  return result;
+}
+
+/// The parameter values where a root of an irreducible factor may cross the circle. A factor that is its own
+/// mirror image has a root on or outside the circle everywhere and adds nothing.
+void append_crossings(const Polynomial& factor, const Rational& radius, int parameter,
+                      std::vector<Algebraic>& critical) {
+  append_real_roots(at_eigenvalue(factor, radius), parameter, critical);
+  append_real_roots(at_eigenvalue(factor, -radius), parameter, critical);
+  if (factor.degree(eigenvalue_variable) > 1) {
+    append_real_roots(resultant(factor, mirrored(factor, radius), eigenvalue_variable), parameter, critical);
+  }
+}
+
+template <OrderedField F>
+bool holds_at(const std::vector<RationalFunction>& characteristic, const F& value, int parameter, int arity,
+              int order) {
+  std::vector<F> coefficients;
+  for (const RationalFunction& c : characteristic) coefficients.push_back(specialize(c, parameter, value));
+  return satisfies_reif(FieldPolynomial<F>(std::move(coefficients)), arity, order);
+}
+
+/// Takes one root out of the factors, if one of them has it for every value of the parameter.
+bool take_constant_root(std::vector<std::pair<Polynomial, int>>& factors, const Rational& root) {
+  const auto found = std::find_if(factors.begin(), factors.end(), [&](const auto& factor) {
+    return factor.second > 0 && at_eigenvalue(factor.first, root).is_zero();
+  });
+  if (found == factors.end()) return false;
+  --found->second;
+  return true;
+}
+
+}  // namespace
+
+RealSet reif_set(const Mask<RationalFunction>& mask, int order, int parameter) {
+  const Matrix<RationalFunction> matrix = subdivision_matrix(mask);
+  const std::vector<RationalFunction> characteristic = characteristic_polynomial(matrix);
+  const Polynomial equation = characteristic_equation(matrix);
+  std::vector<Algebraic> poles;
+  for (const RationalFunction& c : mask.symbol.coefficients()) {
+    append_real_roots(c.denominator(), parameter, poles);
+  }
+  const auto is_pole = [&](const Algebraic& x) {
+    return std::find(poles.begin(), poles.end(), x) != poles.end();
+  };
+
+  std::vector<std::pair<Polynomial, int>> others = factor(equation).factors;
+  for (int k = 0; k <= order; ++k) {
+    const Rational power = pow(Rational(mask.arity), -k);
+    if (take_constant_root(others, power)) continue;
+    // The eigenvalue m^-k is present at single values of the parameter, if at all.
+    std::vector<Algebraic> candidates;
+    append_real_roots(at_eigenvalue(equation, power), parameter, candidates);
+    return solve_by_cells(std::move(candidates), [&](const Algebraic& x) {
+      if (is_pole(x)) return false;
+      if (x.is_rational()) return holds_at(characteristic, x.to_rational(), parameter, mask.arity, order);
+      return holds_at(characteristic, x, parameter, mask.arity, order);
+    });
+  }
+
+  std::vector<Algebraic> critical = poles;
+  const Rational radius = pow(Rational(mask.arity), -order);
+  for (const auto& [base, multiplicity] : others) {
+    if (multiplicity > 0) append_crossings(base, radius, parameter, critical);
+  }
+  return solve_by_cells(std::move(critical), [&](const Algebraic& x) {
+    // An irrational x is a pole or a crossing: some other eigenvalue is not strictly inside the circle.
+    if (!x.is_rational() || is_pole(x)) return false;
+    return holds_at(characteristic, x.to_rational(), parameter, mask.arity, order);
+  });
+}
+
+}  // namespace subdiv
