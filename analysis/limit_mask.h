@@ -46,11 +46,11 @@ std::string missing_mask_reason(const Matrix<R>& shifted, int arity, int derivat
 
 /// The mask of f^(d)(0) of a stationary scheme, over any field, exact or not: the left eigenvector of the
 /// subdivision matrix for m^-d, normalised so that the data j^e / e! give 0 for e < d and 1 for e = d
-/// (Halstead, Kass & DeRose 1993; js-report 5, 11). It exists exactly when m^-d is a simple eigenvalue whose
-/// right eigenvector is the polynomial of degree d, as in every scheme that converges to C^d limits and has d
-/// + 1 sum rules; otherwise std::domain_error says what fails (J_s at s = -6: 1 is a double eigenvalue).
-/// Convergence itself is not examined. Over inexact fields a failure can go unnoticed where rounding hides
-/// it; intervals never lie.
+/// (Halstead, Kass & DeRose 1993; js-report 5, 11). It exists when m^-d is a simple eigenvalue and d + 1 sum
+/// rules hold, as for schemes that converge to C^d limits and have linearly independent basis functions; when
+/// the equations have no or more than one solution, std::domain_error says what fails (J_s at s = -6: 1 is a
+/// double eigenvalue). Convergence itself is not examined. Over floating-point numbers a failure can go
+/// unnoticed where rounding hides it; intervals never lie.
 template <class R>
 Laurent<R> derivative_mask(const Mask<R>& mask, int derivative) {
   const IndexWindow window = vertex_window(mask);
