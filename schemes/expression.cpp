@@ -11,8 +11,6 @@ namespace {
 constexpr std::size_t longest_text = 100'000;
 constexpr int deepest_nesting = 100;
 constexpr long largest_exponent = 1000;
-// The digits and names of an expression, each counted as often as the powers around it repeat it.
-constexpr double largest_weight = 50'000;
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
@@ -193,7 +191,7 @@ class Parser {
     Node node{.kind = Kind::number, .begin = start, .end = position_, .position = start};
     node.value = Rational::parse(text_.substr(start, position_ - start));
     if (has_point || has_exponent) node.half_unit = pow(Rational(10), exponent - decimals) / Rational(2);
-    add(std::move(node), static_cast<double>(position_ - start) + static_cast<double>(std::abs(exponent)));
+    add_leaf(std::move(node));
   }
 
   long decimal_exponent(std::size_t number_start) {
@@ -218,7 +216,7 @@ class Parser {
       if (word == "sqrt") fail("expected '(' after sqrt, " + found());
       Node node{.kind = Kind::name, .begin = start, .end = start + word.size(), .position = start};
       node.name = word;
-      return add(std::move(node), 1);
+      return add_leaf(std::move(node));
     }
     if (word != "sqrt") {
       position_ = start;
@@ -235,27 +233,19 @@ class Parser {
     Node node{
         .kind = kind, .begin = start, .end = nodes_.back().end, .position = at, .left = left, .right = right};
     node.exponent = exponent;
-    double weight = weights_[left] + (right != left ? weights_[right] : 0);
-    if (kind == Kind::power) weight *= static_cast<double>(std::max(1L, std::abs(exponent)));
     node.first = nodes_[left].first;
-    add(std::move(node), weight, true);
+    nodes_.push_back(std::move(node));
   }
 
-  void add(Node node, double weight, bool is_operator = false) {
-    if (!is_operator) node.first = node.left = node.right = nodes_.size();
-    if (weight > largest_weight) {
-      position_ = node.position;
-      fail("the expression is too large to compute");
-    }
+  void add_leaf(Node node) {
+    node.first = node.left = node.right = nodes_.size();
     nodes_.push_back(std::move(node));
-    weights_.push_back(weight);
   }
 
   std::string_view text_;
   std::size_t position_ = 0;
   int depth_ = 0;
   std::vector<Node> nodes_;
-  std::vector<double> weights_;
 };
 
 }  // namespace

@@ -1,11 +1,14 @@
 #pragma once
 
 #include <cstddef>
+#include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "schemes/algebra/rational.h"
+#include "schemes/expression_cost.h"
 #include "schemes/expression_ring.h"
 #include "schemes/input_error.h"
 #include "schemes/text.h"
@@ -75,56 +78,65 @@ class Expression {
   std::vector<Node> nodes_;
 };
 
+namespace detail {
+
+/// Replaces the operands on top of the stack by the operator's value.
+template <class R>
+void apply(const Expression& expression, const Expression::Node& node, std::vector<R>& stack,
+           CostMeter<R>& meter) {
+  using Kind = Expression::Kind;
+  using Ring = ExpressionRing<R>;
+  if (node.kind == Kind::negate) {
+    stack.back() = R(0) - stack.back();
+  } else if (node.kind == Kind::power) {
+    stack.back() = integer_power(stack.back(), node.exponent, meter);
+  } else if (node.kind == Kind::square_root) {
+    stack.back() = Ring::square_root(stack.back());
+  } else {
+    const R right = std::move(stack.back());
+    stack.pop_back();
+    R& left = stack.back();
+    if (node.kind == Kind::divide && is_zero(right)) {
+      const std::string_view divisor = expression.source(expression.nodes()[node.right]);
+      throw std::domain_error("division by zero: " + in_quotes(divisor) + " is 0");
+    }
+    if (node.kind == Kind::multiply || node.kind == Kind::divide) {
+      meter.charge(product_cost(left, right));
+      left = node.kind == Kind::multiply ? left * right : Ring::quotient(left, right);
+    } else {
+      meter.charge(sum_cost(left, right));
+      left = node.kind == Kind::add ? left + right : left - right;
+    }
+  }
+}
+
+}  // namespace detail
+
 /// The value over a ring R of the subexpression with the given root. lookup(name, node) gives a name's value,
 /// literal(node) a number's. Throws InputError with the column for division by zero, roots of negative
 /// numbers and values too large to compute; OutsideRingError for a root that R does not hold.
 template <class R, class Lookup, class Literal>
 R evaluate(const Expression& expression, std::size_t root, const Lookup& lookup, const Literal& literal) {
-  using Kind = Expression::Kind;
-  using Ring = ExpressionRing<R>;
   const std::vector<Expression::Node>& nodes = expression.nodes();
-  const std::size_t first = nodes[root].first;
-  std::vector<R> values;
-  const auto compute = [&](const Expression::Node& node) -> R {
-    const auto left = [&]() -> const R& { return values[node.left - first]; };
-    const auto right = [&]() -> const R& { return values[node.right - first]; };
-    switch (node.kind) {
-      case Kind::number:
-        return literal(node);
-      case Kind::name:
-        return lookup(node.name, node);
-      case Kind::negate:
-        return R(0) - left();
-      case Kind::add:
-        return affordable_sum<R>(left(), right());
-      case Kind::subtract:
-        return affordable_sum<R>(left(), R(0) - right());
-      case Kind::multiply:
-        return affordable_product<R>(left(), right());
-      case Kind::divide:
-        if (is_zero(right())) {
-          throw std::domain_error("division by zero: " + in_quotes(expression.source(nodes[node.right])) +
-                                  " is 0");
-        }
-        return Ring::quotient(left(), right());
-      case Kind::power:
-        return integer_power<R>(left(), node.exponent);
-      case Kind::square_root:
-        return Ring::square_root(left());
-    }
-    throw std::logic_error("no such kind of node");
-  };
-  for (std::size_t i = first; i <= root; ++i) {
+  std::vector<R> stack;  // operands stand before their operators
+  CostMeter<R> meter;
+  for (std::size_t i = nodes[root].first; i <= root; ++i) {
     const Expression::Node& node = nodes[i];
     try {
-      values.push_back(compute(node));
+      if (node.kind == Expression::Kind::number) {
+        stack.push_back(literal(node));
+      } else if (node.kind == Expression::Kind::name) {
+        stack.push_back(lookup(node.name, node));
+      } else {
+        detail::apply(expression, node, stack, meter);
+      }
     } catch (const OutsideRing& error) {
       throw OutsideRingError(expression.locate(node, error.what()));
     } catch (const std::domain_error& error) {
       throw InputError(expression.locate(node, error.what()));
     }
   }
-  return std::move(values.back());
+  return std::move(stack.back());
 }
 
 /// The value of the whole expression, numbers taken as their exact values.

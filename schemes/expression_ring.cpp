@@ -4,7 +4,7 @@
 
 namespace subdiv {
 
-Rational rational_square_root(const Rational& x) {
+Rational ExpressionRing<Rational>::square_root(const Rational& x) {
   if (x.sign() < 0) throw std::domain_error("square root of a negative number");
   const fmpz* numerator = fmpq_numref(x.raw());
   const fmpz* denominator = fmpq_denref(x.raw());
@@ -26,22 +26,12 @@ Polynomial ExpressionRing<Polynomial>::quotient(const Polynomial& a, const Polyn
 
 Polynomial ExpressionRing<Polynomial>::square_root(const Polynomial& p) {
   if (!p.is_constant()) throw OutsideRing("the square root of a free parameter is no polynomial");
-  return Polynomial(rational_square_root(p.constant()));
-}
-
-long ExpressionRing<RationalFunction>::size(const RationalFunction& f) {
-  return ExpressionRing<Polynomial>::size(f.numerator()) + ExpressionRing<Polynomial>::size(f.denominator()) -
-         1;
+  return Polynomial(ExpressionRing<Rational>::square_root(p.constant()));
 }
 
 RationalFunction ExpressionRing<RationalFunction>::square_root(const RationalFunction& f) {
   if (!f.is_constant()) throw OutsideRing("the square root of a free parameter is no rational function");
-  return RationalFunction(rational_square_root(f.constant()));
-}
-
-Algebraic ExpressionRing<Algebraic>::quotient(const Algebraic& a, const Algebraic& b) {
-  require_affordable(a, b);
-  return a / b;
+  return RationalFunction(ExpressionRing<Rational>::square_root(f.constant()));
 }
 
 Interval ExpressionRing<Interval>::quotient(const Interval& a, const Interval& b) {

@@ -74,11 +74,12 @@ template <class R>
 struct Quotient {
   Laurent<R> above{1};
   Laurent<R> below{1};
+  CostMeter<Laurent<R>> meter{};
 
   void include(const Laurent<R>& factor, long power) {
     if (power < 0 && factor.is_zero()) throw std::domain_error("division by zero: this divisor is 0");
     Laurent<R>& part = power > 0 ? above : below;
-    part = affordable_product<Laurent<R>>(part, integer_power<Laurent<R>>(factor, std::abs(power)));
+    part = metered_product(part, integer_power(factor, std::abs(power), meter), meter);
   }
   [[nodiscard]] Laurent<R> value() const { return ExpressionRing<Laurent<R>>::quotient(above, below); }
 };
@@ -106,9 +107,10 @@ FactoredSymbol<R> combine(const Quotient<Rational>& exact, const Quotient<R>& ot
   const auto in_ring = [](const Laurent<Rational>& p) {
     return map_coefficients(p, [](const Rational& q) { return from_rational<R>(q); });
   };
+  CostMeter<Laurent<R>> meter;
   if constexpr (ExactRing<R>) {
-    const Quotient<R> whole{affordable_product<Laurent<R>>(in_ring(exact.above), other.above),
-                            affordable_product<Laurent<R>>(in_ring(exact.below), other.below)};
+    const Quotient<R> whole{metered_product(in_ring(exact.above), other.above, meter),
+                            metered_product(in_ring(exact.below), other.below, meter)};
     const Laurent<R> value = whole.value();
     if (value.is_zero()) return {};
     auto [count, cofactor] = divide_out(value, smoothing_factor<R>(arity));
@@ -117,7 +119,7 @@ FactoredSymbol<R> combine(const Quotient<Rational>& exact, const Quotient<R>& ot
     const Laurent<Rational> value = exact.value();
     if (value.is_zero() || other.above.is_zero()) return {};
     const auto [count, cofactor] = divide_out(value, smoothing_factor<Rational>(arity));
-    return {count, affordable_product<Laurent<R>>(in_ring(cofactor), other.value())};
+    return {count, metered_product(in_ring(cofactor), other.value(), meter)};
   }
 }
 
@@ -144,6 +146,8 @@ FactoredSymbol<R> factored_symbol(const Expression& expression, int arity, const
     }
     node = &expression.nodes()[expression.root()];
     return detail::combine(exact, other, arity);
+  } catch (const OutsideRing& error) {
+    throw OutsideRingError(expression.locate(*node, error.what()));
   } catch (const std::domain_error& error) {
     throw InputError(expression.locate(*node, error.what()));
   }
