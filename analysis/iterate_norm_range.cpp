@@ -14,7 +14,7 @@ namespace {
 
 // Only upper ends are looked for: a lower end is the upper end of the family of -s.
 
-/// norm_k < 1 is proved on [interior, inside]; norm_k >= 1 at outside, unless the search ended before.
+/// norm_k < 1 is proved on [interior, inside]; norm_k >= 1 at outside, unless the search ended there.
 struct End {
   Rational inside;
   Rational outside;
@@ -118,27 +118,23 @@ End march(const Search& search, int k, double inside) {
                status,
                "boxes of the parameter, class tree in double with error bounds"};
   };
+  double reached = inside;
   std::optional<Bracket> bracket = find_outside(search, k, inside);
-  if (!bracket) {
-    const double reached = prove_up_to(search, k, inside, search.limit);
-    if (reached == search.limit) return ended(reached, reached, Status::out_of_depth);
-    bracket = Bracket{reached, search.limit};
-    if (!sample(search.family, k, search.limit).reaches_one)
-      return ended(reached, search.limit, Status::out_of_precision);
-  }
   constexpr int most_gaps = 32;
   for (int gap = 0; gap < most_gaps; ++gap) {
-    bracket = narrow(search, k, *bracket);
-    const double reached = prove_up_to(search, k, inside, bracket->inside);
-    if (reached == bracket->inside) return ended(reached, bracket->outside, Status::closed);
+    if (bracket) bracket = narrow(search, k, *bracket);
+    const double target = bracket ? bracket->inside : search.limit;
+    reached = prove_up_to(search, k, reached, target);
+    if (reached == target) {
+      return bracket ? ended(reached, bracket->outside, Status::closed)
+                     : ended(reached, reached, Status::out_of_depth);
+    }
     // The norm rises to 1 in between and falls again: the interval ends at the first such place.
-    inside = reached;
-    const double next = reached + search.tolerance / 16;
-    if (!sample(search.family, k, next).reaches_one)
-      return ended(reached, bracket->outside, Status::out_of_precision);
+    const double next = std::min(reached + search.tolerance / 16, search.limit);
+    if (!sample(search.family, k, next).reaches_one) break;
     bracket = Bracket{reached, next};
   }
-  return ended(inside, bracket->outside, Status::out_of_precision);
+  return ended(reached, bracket ? bracket->outside : search.limit, Status::out_of_precision);
 }
 
 /// Replaces a bracket by the root of the critical classes' polynomials, where that can be proved: a simple

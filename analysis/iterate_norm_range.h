@@ -8,8 +8,9 @@
 
 namespace subdiv {
 
-/// One end of a certified interval. The proved part of the interval reaches to the inner side of the
-/// enclosure, and at its outer side norm_k >= 1 is proved.
+/// One end of a certified interval. The proof reaches to the inner side of the enclosure, and at its outer
+/// side norm_k >= 1 is proved, if the status is closed. out_of_depth: proved up to the end of the search.
+/// out_of_precision: the end lies in the enclosure or beyond.
 struct RangeEnd {
   Enclosure value;
   /// norm_k < 1 is proved right up to the end itself, where norm_k >= 1: the interval is open there.
@@ -29,13 +30,11 @@ struct NormRange {
 
 struct NormRangeOptions {
   Rational interior;  // where the intervals are looked for
-  /// Searched within [search_lower, search_upper]; an interval that is proved up to there ends there, with
-  /// the status out_of_depth.
+  /// Where the ends are looked for.
   Rational search_lower = Rational(-64);
   Rational search_upper = Rational(64);
   int max_power = 20;
-  /// Width of an end's enclosure; a sharp end is enclosed much closer. An end that cannot be enclosed so far
-  /// has the status out_of_precision.
+  /// Width of an end's enclosure; a sharp end is enclosed much closer.
   Rational tolerance = Rational(1, 1'000'000'000);
 };
 

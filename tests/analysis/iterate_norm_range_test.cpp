@@ -160,5 +160,25 @@ TEST(CriticalRoot, FirstContinuityByHand) {
   EXPECT_FALSE(reaches_one_first_at(family, {{1}}, inside, Rational(4)));
 }
 
+/// The family d(z) = p(s): every norm_k is |p(s)|^k.
+DifferenceFamily constant_symbol(const std::vector<Rational>& p) {
+  return {2, Laurent<UnivariatePolynomial>(0, {UnivariatePolynomial(p)})};
+}
+
+TEST(CriticalRoot, NeedsSignsAndIncrease) {
+  // p = 1 + (s-1)(s-2)(s-3)/1000 crosses 1 three times on [1/2, 4]; halving alone would find the last
+  // crossing.
+  const Rational milli(1, 1000);
+  const DifferenceFamily wave =
+      constant_symbol({Rational(1) - Rational(6) * milli, Rational(11) * milli, Rational(-6) * milli, milli});
+  EXPECT_FALSE(first_critical_root(wave, {{0}}, Rational(1, 2), Rational(4)).has_value());
+  EXPECT_EQ(first_critical_root(wave, {{0}}, Rational(3, 4), Rational(5, 4)).value().exact, Algebraic(1));
+  EXPECT_FALSE(reaches_one_first_at(wave, {{0}}, Rational(1, 2), Rational(3)));
+  // |2 s - 1| is 3 at -1, falls to 0 and is 1 at s = 1: not the first place.
+  const DifferenceFamily line = constant_symbol({Rational(-1), Rational(2)});
+  EXPECT_FALSE(reaches_one_first_at(line, {{0}}, Rational(-1), Rational(1)));
+  EXPECT_TRUE(reaches_one_first_at(line, {{0}}, Rational(3, 4), Rational(1)));
+}
+
 }  // namespace
 }  // namespace subdiv

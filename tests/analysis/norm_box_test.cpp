@@ -81,6 +81,14 @@ TEST(NormBox, BoundsAreOfFirstOrder) {
   NormBox point = norm_box(family, -1.7, -1.7);
   bound_norms(point, 16);
   const ClassValue largest = largest_class(point, 16);
+  const auto norm = [](const Rational& s) {
+    return iterate_norm_enclosure(difference_symbol(jspline(s), 1).value(), 2, 16).midpoint();
+  };
+  const Rational step(1, 100'000);
+  const Rational quotient =
+      (norm(Rational(-17, 10) + step) - norm(Rational(-17, 10) - step)) / (step * Rational(2));
+  EXPECT_NEAR(largest.norm, norm(Rational(-17, 10)).to_double(), 1e-11);
+  EXPECT_NEAR(largest.slope, quotient.to_double(), 1e-4);
   for (const double h : {1e-3, 1e-5}) {
     NormBox box = norm_box(family, -1.7 - h, -1.7 + h);
     bound_norms(box, 16);
