@@ -74,6 +74,10 @@ class Interval {
     arb_div(value_, value_, o.value_, raise(o));
     return *this;
   }
+  friend void add_product(Interval& sum, const Interval& a, const Interval& b) {
+    sum.raise(a);
+    arb_addmul(sum.value_, a.value_, b.value_, sum.raise(b));
+  }
   friend Interval operator+(Interval a, const Interval& b) { return a += b; }
   friend Interval operator-(Interval a, const Interval& b) { return a -= b; }
   friend Interval operator*(Interval a, const Interval& b) { return a *= b; }

@@ -38,6 +38,12 @@ bool is_zero(const R& x) {
   return RingTraits<R>::is_zero(x);
 }
 
+/// sum += a b. Rings with costly temporaries overload it.
+template <class R>
+void add_product(R& sum, const R& a, const R& b) {
+  sum += a * b;
+}
+
 /// A ring whose zero test decides: rationals, algebraic numbers, polynomials and rational functions over Q.
 template <class R>
 concept ExactRing = RingTraits<R>::exact;
