@@ -39,7 +39,7 @@ struct Options {
 /// Why the solver stopped. Only `proved` claims anything about the whole box; everything else leaves rigour
 /// approximate.
 enum class Termination {
-  proved,      // the minimiser is enclosed, unique, and nothing better lies in the box
+  proved,      // every minimiser in the box lies in the enclosure; it is unique unless the message says less
   not_unique,  // the minimum is proved, its minimisers are several or a continuum: the enclosure holds one of
                // them
   out_of_boxes,      // branch and bound ran out: the local minimum is verified, globality is not

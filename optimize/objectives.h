@@ -1,0 +1,74 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "optimize/problem.h"
+#include "schemes/mask.h"
+
+namespace subdiv {
+
+/// The named objectives: each makes of a scheme with free parameters a vector of residuals, rational
+/// functions of the parameters, whose norm is to be minimised. On the command line an objective is
+/// NAME[:option[=value],...], for example "fit-bspline:degree=2", "fit-bspline:degree=4,continuum", "vertex",
+/// "popping:level=3".
+///
+///   fit-bspline  The coefficients of the scheme's iterate of a level (level=8), minus B_d (degree=d, needed)
+///   at the same abscissae:
+///                coefficient i of k steps stands at (i - centre)/2^k, centre the mean of the coefficients'
+///                indices, B_d is centred at 0 (js-report 4, jsplines 4). With continuum: the limit function
+///                itself against B_d over the real line; l2 for any scheme with a centre at an integer or
+///                half an integer, l1 and linf for jspline:s=NAME alone.
+///   vertex       The limit mask at an old vertex minus the identity (js-report 6).
+///   edge         The limit mask at a new mid-edge vertex minus (1/2, 1/2) (js-report 7).
+///   area         The area mask minus that of polygons (js-report 8).
+///   popping      The coefficients of (L(z) - S(z)) P(z^2), L linear subdivision, S the scheme, P what the
+///   levels before made of an impulse
+///                with the parameters that were best for each of them in turn (level=1) (jsplines 11).
+///
+/// All work in every norm, for stationary and mixed schemes of arity 2 (popping: stationary ones), primal
+/// ones in all but fit-bspline and area.
+struct Objective {
+  enum class Kind { fit_bspline, vertex, edge, area, popping };
+  Kind kind = Kind::vertex;
+  int degree = 0;  // fit-bspline
+  int level = 0;   // fit-bspline without continuum, popping
+  bool continuum = false;
+};
+
+struct ObjectiveOption {
+  std::string name;
+  std::string description;
+};
+
+/// An entry of the list of objectives.
+struct ObjectiveDescription {
+  std::string name;
+  std::string description;  // one line
+  std::string norms;        // which apply: "l1, l2, linf"
+  std::vector<ObjectiveOption> options;
+  std::string example;
+};
+
+/// All of them, in the order of the documents.
+[[nodiscard]] std::span<const ObjectiveDescription> objectives();
+
+/// Throws InputError that lists the valid names, options or values.
+[[nodiscard]] Objective parse_objective(std::string_view text);
+[[nodiscard]] std::string to_string(const Objective& objective);
+
+/// The residuals of an objective as a problem over the box, one range a parameter in the order of the
+/// variables. The continuum fit in l2 becomes one residual, the squared distance, in norm l1. Throws
+/// InputError when the scheme lacks what the objective needs, and for the continuum fit in l1 and linf, which
+/// has no finite vector of residuals: minimise(scheme, ..) handles it.
+[[nodiscard]] Problem make_problem(const Scheme<RationalFunction>& scheme, const Objective& objective,
+                                   Norm norm, std::vector<Range> box, std::vector<std::string> names);
+
+/// Minimises a named objective, certified, by the way that suits it.
+[[nodiscard]] Summary minimise(const Scheme<RationalFunction>& scheme, const Objective& objective, Norm norm,
+                               std::vector<Range> box, std::vector<std::string> names,
+                               const Options& options = {});
+
+}  // namespace subdiv
