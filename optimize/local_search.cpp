@@ -8,12 +8,15 @@
 #include <ceres/ceres.h>
 #include <nlopt.hpp>
 
+#include "optimize/epigraph.h"
 #include "optimize/residual_functions.h"
 
 namespace subdiv {
 namespace {
 
 using Point = std::vector<double>;
+
+constexpr long double_precision = 64;
 
 /// Element n of the van der Corput sequence in a base.
 double van_der_corput(int n, int base) {
@@ -103,17 +106,28 @@ bool search_with_kinks(const Problem& problem, const std::vector<CompiledResidua
   solver.set_min_objective(
       [](const Point& at, Point&, void* data) { return (*static_cast<const Value*>(data))(at); },
       const_cast<void*>(static_cast<const void*>(&value)));
-  solver.set_xtol_rel(1e-13);
-  solver.set_maxeval(20000);
+  // Over several parameters this only finds the valley: descend_epigraph finds its bottom.
+  const bool is_final = x.size() == 1;
+  solver.set_xtol_rel(is_final ? 1e-13 : 1e-9);
+  solver.set_maxeval(is_final ? 20000 : 500 * static_cast<int>(x.size()));
   double reached = 0;
   try {
     solver.optimize(x, reached);
   } catch (const nlopt::roundoff_limited&) {
-    return true;  // x holds the best point so far
+    // x holds the best point so far
   } catch (const std::runtime_error&) {
     return false;
   }
+  if (!is_final) x = descend_epigraph(problem, residuals, x);
   return true;
+}
+
+std::optional<LocalMinimum> descend(const Problem& problem, const std::vector<CompiledResidual>& residuals,
+                                    Point x) {
+  const bool usable = problem.norm == Norm::l2 ? search_least_squares(problem, residuals, x)
+                                               : search_with_kinks(problem, residuals, x);
+  if (!usable) return std::nullopt;
+  return LocalMinimum{x, evaluate(problem.norm, residuals, x)};
 }
 
 bool same_point(const Point& a, const Point& b) {
@@ -124,15 +138,16 @@ bool same_point(const Point& a, const Point& b) {
 
 }  // namespace
 
+std::optional<LocalMinimum> improve(const Problem& problem, const std::vector<double>& start) {
+  return descend(problem, compile(problem, double_precision), start);
+}
+
 std::vector<LocalMinimum> local_minima(const Problem& problem, const Options& options) {
-  constexpr long double_precision = 64;
   const std::vector<CompiledResidual> residuals = compile(problem, double_precision);
   std::vector<LocalMinimum> found;
   for (int n = 0; n < options.starts; ++n) {
-    Point x = start_point(problem, n);
-    const bool usable = problem.norm == Norm::l2 ? search_least_squares(problem, residuals, x)
-                                                 : search_with_kinks(problem, residuals, x);
-    if (usable) found.push_back({x, evaluate(problem.norm, residuals, x)});
+    if (auto minimum = descend(problem, residuals, start_point(problem, n)))
+      found.push_back(std::move(*minimum));
   }
   std::stable_sort(found.begin(), found.end(),
                    [](const LocalMinimum& a, const LocalMinimum& b) { return a.objective < b.objective; });

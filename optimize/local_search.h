@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "optimize/problem.h"
@@ -13,8 +14,12 @@ struct LocalMinimum {
 };
 
 /// Local minima from options.starts points spread over the box (a Halton sequence: deterministic), best
-/// first: Ceres for l2, NLopt's Sbplx for the norms with kinks. Points that agree to 1e-7 are listed once;
+/// first: Ceres for l2, NLopt's Sbplx for the norms with kinks, over several parameters followed by
+/// descend_epigraph. Points that agree to 1e-7 are listed once;
 /// empty when no start converged.
 [[nodiscard]] std::vector<LocalMinimum> local_minima(const Problem& problem, const Options& options);
+
+/// One such descent from a given point of the box; nothing when the solver fails.
+[[nodiscard]] std::optional<LocalMinimum> improve(const Problem& problem, const std::vector<double>& start);
 
 }  // namespace subdiv

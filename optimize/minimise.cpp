@@ -5,6 +5,7 @@
 #include "optimize/linear_minimax.h"
 #include "optimize/local_search.h"
 #include "optimize/one_parameter.h"
+#include "optimize/several_parameters.h"
 #include "schemes/input_error.h"
 
 namespace subdiv {
@@ -28,8 +29,10 @@ void require_well_posed(const Problem& problem) {
 Summary minimise(const Problem& problem, const Options& options) {
   require_well_posed(problem);
   if (auto summary = minimise_linear(problem)) return *summary;
+  const std::vector<LocalMinimum> minima = local_minima(problem, options);
+  if (problem.box.size() > 1) return minimise_several_parameters(problem, options, minima);
   std::vector<double> candidates;
-  for (const LocalMinimum& m : local_minima(problem, options)) candidates.push_back(m.x[0]);
+  for (const LocalMinimum& m : minima) candidates.push_back(m.x[0]);
   return minimise_one_parameter(problem, options, candidates);
 }
 
