@@ -3,8 +3,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "schemes/algebra/matrix.h"
-#include "schemes/mask.h"
+#include "analysis/limit_mask.h"
 
 namespace subdiv {
 
@@ -12,36 +11,13 @@ namespace subdiv {
 /// The impulse's refined point i after k steps stands at i / m^k, so phi has support [first, last] / (m - 1)
 /// for a stationary scheme.
 
-/// phi^(d) at the integers, for d >= 0 below the order of sum rules: the eigenvector for m^-d of the matrix
-/// a_{m k - l}, normalised so that sum over k of phi^(d)(-k) k^d / d! = 1 and the lower moments vanish.
-/// Coefficient k of the result is phi^(d)(k). The derivative must exist at integers; throws std::domain_error
+/// phi^(d) at the integers, for d >= 0 below the order of sum rules: coefficient k of the result is
+/// phi^(d)(k), the derivative mask at index 0 read backwards. Normalised so that sum over k of phi^(d)(-k)
+/// k^d / d! = 1 and the lower moments vanish. The derivative must exist at integers; throws std::domain_error
 /// when the equations do not determine it.
-template <ExactRing R>
+template <class R>
 Laurent<R> integer_values(const Mask<R>& mask, int derivative = 0) {
-  const int m = mask.arity;
-  const int low = -floor_divide(-mask.symbol.first(), m - 1);
-  const int high = floor_divide(mask.symbol.last(), m - 1);
-  const Eigen::Index n = high - low + 1;
-  const Eigen::Index conditions = derivative + 1;
-  Matrix<R> system = zero_matrix<R>(n + conditions, n);
-  Vector<R> right = Vector<R>::Constant(n + conditions, R(0));
-  const R eigenvalue = from_rational<R>(pow(Rational(m), -derivative));
-  for (int k = low; k <= high; ++k) {
-    for (int l = low; l <= high; ++l) {
-      const R entry = mask.symbol[m * k - l];
-      system(k - low, l - low) = k == l ? entry - eigenvalue : entry;
-    }
-    Rational power(1);
-    for (int e = 0; e <= derivative; ++e) {
-      system(n + e, k - low) = from_rational<R>(power);
-      power *= Rational(-k, e + 1);
-    }
-  }
-  right(n + derivative) = R(1);
-  const auto values = solve(system, right);
-  if (!values)
-    throw std::domain_error("the refinement equation does not determine the basis function at integers");
-  return Laurent<R>(low, std::vector<R>(values->data(), values->data() + n));
+  return reverse(derivative_mask(mask, derivative));
 }
 
 /// phi^(d) at all points i / m^level: coefficient i of the result. Works for mixed schemes: the steps are

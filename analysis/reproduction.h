@@ -117,7 +117,7 @@ int reproduction_degree(const Scheme<R>& scheme) {
   int degree = 1;
   while (degree < generation) {
     power = power * moments[1];
-    if (!(moments[static_cast<std::size_t>(degree + 1)] == power)) break;
+    if (!(moments[static_cast<std::size_t>(degree) + 1] == power)) break;
     ++degree;
   }
   return degree;

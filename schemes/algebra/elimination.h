@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <type_traits>
 #include <utility>
 
 #include "schemes/algebra/matrix.h"
@@ -47,6 +48,33 @@ double pivot_threshold(const Matrix<R>& a) {
   }
 }
 
+/// Elimination with the best pivot of each column, for inexact fields.
+template <class R>
+std::optional<Vector<R>> solve_by_best_pivots(Matrix<R> a, Vector<R> b) {
+  const double threshold = pivot_threshold(a);
+  for (Eigen::Index column = 0; column < a.cols(); ++column) {
+    Eigen::Index pivot = column;
+    for (Eigen::Index i = column + 1; i < a.rows(); ++i) {
+      if (pivot_quality(a(i, column)) > pivot_quality(a(pivot, column))) pivot = i;
+    }
+    if (pivot >= a.rows() || !(pivot_quality(a(pivot, column)) > threshold)) return std::nullopt;
+    for (Eigen::Index j = 0; j < a.cols(); ++j) std::swap(a(column, j), a(pivot, j));
+    std::swap(b(column), b(pivot));
+    for (Eigen::Index i = column + 1; i < a.rows(); ++i) {
+      const R factor = a(i, column) / a(column, column);
+      for (Eigen::Index j = column + 1; j < a.cols(); ++j) a(i, j) = a(i, j) - factor * a(column, j);
+      b(i) = b(i) - factor * b(column);
+    }
+  }
+  Vector<R> x = Vector<R>::Constant(a.cols(), R(0));
+  for (Eigen::Index i = a.cols(); i-- > 0;) {
+    R value = b(i);
+    for (Eigen::Index j = i + 1; j < a.cols(); ++j) value = value - a(i, j) * x(j);
+    x(i) = value / a(i, i);
+  }
+  return x;
+}
+
 }  // namespace detail
 
 /// The x with a x = b over any field, when a has full column rank; nothing otherwise. a may have more rows
@@ -54,32 +82,11 @@ double pivot_threshold(const Matrix<R>& a) {
 /// one the rows with the best pivots are solved and the rest is taken on trust: intervals then enclose x
 /// wherever a x = b has a solution.
 template <class R>
-std::optional<Vector<R>> solve_linear(Matrix<R> a, Vector<R> b) {
+std::optional<Vector<R>> solve_linear(const Matrix<R>& a, const Vector<R>& b) {
   if constexpr (ExactRing<R>) {
     return solve(a, b);
   } else {
-    const double threshold = detail::pivot_threshold(a);
-    for (Eigen::Index column = 0; column < a.cols(); ++column) {
-      Eigen::Index pivot = column;
-      for (Eigen::Index i = column + 1; i < a.rows(); ++i) {
-        if (pivot_quality(a(i, column)) > pivot_quality(a(pivot, column))) pivot = i;
-      }
-      if (pivot >= a.rows() || !(pivot_quality(a(pivot, column)) > threshold)) return std::nullopt;
-      for (Eigen::Index j = 0; j < a.cols(); ++j) std::swap(a(column, j), a(pivot, j));
-      std::swap(b(column), b(pivot));
-      for (Eigen::Index i = column + 1; i < a.rows(); ++i) {
-        const R factor = a(i, column) / a(column, column);
-        for (Eigen::Index j = column + 1; j < a.cols(); ++j) a(i, j) = a(i, j) - factor * a(column, j);
-        b(i) = b(i) - factor * b(column);
-      }
-    }
-    Vector<R> x = Vector<R>::Constant(a.cols(), R(0));
-    for (Eigen::Index i = a.cols(); i-- > 0;) {
-      R value = b(i);
-      for (Eigen::Index j = i + 1; j < a.cols(); ++j) value = value - a(i, j) * x(j);
-      x(i) = value / a(i, i);
-    }
-    return x;
+    return detail::solve_by_best_pivots<R>(a, b);
   }
 }
 

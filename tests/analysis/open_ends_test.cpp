@@ -57,22 +57,21 @@ TEST(OpenEnds, HoldForEveryParameterThoughNotDeterminedAtTwo) {
 /// index i stands at i / 2^levels.
 Laurent<Rational> refine_open(const Mask<Rational>& mask, const std::vector<Rational>& points,
                               const std::vector<Laurent<Rational>>& added, int levels) {
-  const int n = static_cast<int>(points.size());
-  const int count = static_cast<int>(added.size());
+  const std::size_t n = points.size();
+  const std::size_t count = added.size();
   const auto weigh = [&](const Laurent<Rational>& weights, bool mirrored_end) {
     Rational value(0);
-    for (int j = weights.first(); j <= weights.last(); ++j) {
-      value += weights[j] * points[static_cast<std::size_t>(mirrored_end ? n - 1 - j : j)];
-    }
+    for (std::size_t j = 0; j < n; ++j)
+      value += weights[static_cast<int>(j)] * points[mirrored_end ? n - 1 - j : j];
     return value;
   };
-  std::vector<Rational> all(static_cast<std::size_t>(n + 2 * count));
-  for (int j = 0; j < n; ++j) all[static_cast<std::size_t>(count + j)] = points[static_cast<std::size_t>(j)];
-  for (int k = 1; k <= count; ++k) {
-    all[static_cast<std::size_t>(count - k)] = weigh(added[static_cast<std::size_t>(k - 1)], false);
-    all[static_cast<std::size_t>(count + n - 1 + k)] = weigh(added[static_cast<std::size_t>(k - 1)], true);
+  std::vector<Rational> all(n + 2 * count);
+  for (std::size_t j = 0; j < n; ++j) all[count + j] = points[j];
+  for (std::size_t k = 1; k <= count; ++k) {
+    all[count - k] = weigh(added[k - 1], false);
+    all[count + n - 1 + k] = weigh(added[k - 1], true);
   }
-  Laurent<Rational> refined(-count, all);
+  Laurent<Rational> refined(-static_cast<int>(count), all);
   for (int level = 0; level < levels; ++level) refined = refine_sequence(mask, refined);
   return refined;
 }
