@@ -15,21 +15,20 @@ namespace subdiv {
 /// NAME[:option[=value],...], for example "fit-bspline:degree=2", "fit-bspline:degree=4,continuum", "vertex",
 /// "popping:level=3".
 ///
-///   fit-bspline  The coefficients of the scheme's iterate of a level (level=8), minus B_d (degree=d, needed)
-///   at the same abscissae:
-///                coefficient i of k steps stands at (i - centre)/2^k, centre the mean of the coefficients'
-///                indices, B_d is centred at 0 (js-report 4, jsplines 4). With continuum: the limit function
-///                itself against B_d over the real line; l2 for any scheme with a centre at an integer or
-///                half an integer, l1 and linf for jspline:s=NAME alone.
-///   vertex       The limit mask at an old vertex minus the identity (js-report 6).
-///   edge         The limit mask at a new mid-edge vertex minus (1/2, 1/2) (js-report 7).
-///   area         The area mask minus that of polygons (js-report 8).
-///   popping      The coefficients of (L(z) - S(z)) P(z^2), L linear subdivision, S the scheme, P what the
-///   levels before made of an impulse
-///                with the parameters that were best for each of them in turn (level=1) (jsplines 11).
+/// - fit-bspline: the coefficients of the scheme's iterate of a level (level=8), minus B_d (degree=d, must be
+///   given) at the same abscissae: coefficient i of k steps stands at (i - centre)/2^k, centre the mean of
+///   the coefficients' indices, and B_d is centred at 0 (js-report 4, jsplines 4). With the option continuum:
+///   the limit function itself minus B_d over the real line; l2 for any scheme with a centre at an integer or
+///   half an integer, l1 and linf for jspline:s=NAME alone.
+/// - vertex: the limit mask at an old vertex minus the identity (js-report 6).
+/// - edge: the limit mask at a new mid-edge vertex minus (1/2, 1/2) (js-report 7).
+/// - area: the area mask minus that of polygons (js-report 8).
+/// - popping: the coefficients of (L(z) - S(z)) P(z^2), L linear subdivision, S the scheme, P what the levels
+///   before made of an impulse with the parameters that were best for each of them in turn (level=1)
+///   (jsplines 11).
 ///
-/// All work in every norm, for stationary and mixed schemes of arity 2 (popping: stationary ones), primal
-/// ones in all but fit-bspline and area.
+/// All work in every norm, for schemes of arity 2: primal ones in all but fit-bspline and area, stationary
+/// ones in popping.
 struct Objective {
   enum class Kind { fit_bspline, vertex, edge, area, popping };
   Kind kind = Kind::vertex;
