@@ -9,6 +9,7 @@
 #include <benchmark/benchmark.h>
 
 #include "analysis/iterate_norm.h"
+#include "analysis/iterate_norm_range.h"
 #include "schemes/jspline.h"
 
 namespace subdiv {
@@ -68,8 +69,18 @@ void deep_powers(benchmark::internal::Benchmark* b) {
   for (const long continuity : {0, 1, 2, 3}) b->Args({24, continuity});
 }
 
+/// The certified intervals of s for J_s and k = 1 .. 20.
+void iterate_norm_intervals(benchmark::State& state) {
+  NormRangeOptions options;
+  options.interior = Rational(3, 2);
+  const auto mask = jspline(RationalFunction::variable(0));
+  const DifferenceFamily family = difference_family(mask, static_cast<int>(state.range(0)));
+  for (auto unused : state) benchmark::DoNotOptimize(iterate_norm_ranges(family, options));
+}
+
 BENCHMARK(iterate_norm_obvious)->Apply(powers);
 BENCHMARK(iterate_norm_certified)->Apply(deep_powers);
+BENCHMARK(iterate_norm_intervals)->Unit(benchmark::kMillisecond)->ArgName("continuity")->DenseRange(1, 3);
 
 }  // namespace
 }  // namespace subdiv
