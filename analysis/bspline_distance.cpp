@@ -29,12 +29,6 @@ bool is_bspline(const Rational& s, int degree) {
 /// Half the width of the smallest symmetric interval of integers that holds the supports of phi_s and B_d.
 int radius(const UniformBspline& b) { return std::max(jspline_radius, (b.degree() + 2) / 2); }
 
-/// The most that e may differ from its chord on a piece.
-Interval bow(const BsplineDifference::Piece& piece) {
-  const Rational factor = Rational::power_of_two(-2 * piece.basis.level - 3);
-  return abs(piece.curvature) * Interval(factor, piece.curvature.precision());
-}
-
 /// A node of a maximisation: an attained value at its ends and an upper bound.
 template <class Node>
 struct Candidate {
@@ -130,6 +124,11 @@ Interval BsplineDifference::integral(const Piece& piece) const {
          Interval(of_bspline, precision_);
 }
 
+Interval BsplineDifference::bow(const Piece& piece) {
+  const Rational factor = Rational::power_of_two(-2 * piece.basis.level - 3);
+  return abs(piece.curvature) * Interval(factor, piece.curvature.precision());
+}
+
 Enclosure bspline_distance_l1(const Rational& s, int degree, const DistanceOptions& options) {
   if (is_bspline(s, degree)) return exact(Rational(0), "the same mask");
   const BsplineDifference e(s, degree, options.precision);
@@ -142,7 +141,7 @@ Enclosure bspline_distance_l1(const Rational& s, int degree, const DistanceOptio
     const BsplineDifference::Piece piece = std::move(stack.back());
     stack.pop_back();
     ++pieces;
-    const Interval deviation = bow(piece);
+    const Interval deviation = BsplineDifference::bow(piece);
     const bool positive =
         certainly_at_most(deviation, piece.left) && certainly_at_most(deviation, piece.right);
     const bool negative =
@@ -175,7 +174,7 @@ Enclosure bspline_distance_linf(const Rational& s, int degree, const DistanceOpt
   const BsplineDifference e(s, degree, options.precision);
   const auto bound = [](const Piece& piece) {
     const Interval ends = max(abs(piece.left), abs(piece.right));
-    return std::pair(ends.lower(), (ends + bow(piece)).upper());
+    return std::pair(ends.lower(), (ends + BsplineDifference::bow(piece)).upper());
   };
   return maximise(
       e.pieces(0, radius(e.bspline())), bound, [&](const Piece& p) { return e.halves(p); }, options);
@@ -204,7 +203,7 @@ Enclosure bspline_edge_bound(const Rational& s, int degree, const DistanceOption
       h.curvature += node[m].curvature;
       left += abs(h.left);
       right += abs(h.right);
-      deviation += bow(h);
+      deviation += BsplineDifference::bow(h);
     }
     const Interval ends = max(left, right);
     return std::pair(ends.lower(), (ends + deviation).upper());

@@ -65,6 +65,8 @@ class BsplineDifference {
   [[nodiscard]] std::vector<Piece> pieces(int lower, int upper) const;
   [[nodiscard]] std::pair<Piece, Piece> halves(const Piece& piece) const;
   [[nodiscard]] Interval integral(const Piece& piece) const;
+  /// Its upper end is at least the most that e differs from its chord on the piece.
+  [[nodiscard]] static Interval bow(const Piece& piece);
   [[nodiscard]] const UniformBspline& bspline() const { return bspline_; }
 
  private:

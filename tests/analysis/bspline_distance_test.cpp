@@ -139,6 +139,22 @@ TEST(BsplineDistance, EdgeBoundIsAttainedByAPolygonAndNeverPassed) {
   EXPECT_NEAR(attained, bound, 1e-6);
 }
 
+TEST(BsplineDistance, BowHoldsTheDeviationFromTheChordAndNotMuchMore) {
+  const BsplineDifference e(Rational(689, 1000), 2, 256);
+  for (BsplineDifference::Piece piece : e.pieces(0, 2)) {
+    for (int k = 0; k < 20; ++k) {
+      const auto [left, right] = e.halves(piece);
+      const Interval deviation = abs(left.right - (piece.left + piece.right) / Interval(2));
+      const Rational bow = BsplineDifference::bow(piece).upper();
+      EXPECT_LE(deviation.lower(), bow);
+      if (k == 19) {
+        EXPECT_LT(bow, Rational(2) * deviation.lower());
+      }
+      piece = right;
+    }
+  }
+}
+
 TEST(BsplineDistance, SaysWhenThePiecesRunOut) {
   DistanceOptions few;
   few.max_pieces = 20;
