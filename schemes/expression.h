@@ -78,6 +78,24 @@ class Expression {
   std::vector<Node> nodes_;
 };
 
+/// Numbers as their exact values.
+template <class R>
+struct ExactLiteral {
+  static constexpr bool decimals_are_exact = true;
+  R operator()(const Rational& value, const Rational& /*half_unit*/) const { return from_rational<R>(value); }
+};
+
+/// Numbers as intervals at a precision in bits; decimals that are not exact are known to half_unit on both
+/// sides.
+struct IntervalLiteral {
+  long precision = Interval::default_precision;
+  bool decimals_are_exact = true;
+  Interval operator()(const Rational& value, const Rational& half_unit) const {
+    if (decimals_are_exact || half_unit.sign() == 0) return Interval(value, precision);
+    return Interval::hull(value - half_unit, value + half_unit, precision);
+  }
+};
+
 namespace detail {
 
 /// Replaces the operands on top of the stack by the operator's value.
@@ -113,8 +131,8 @@ void apply(const Expression& expression, const Expression::Node& node, std::vect
 }  // namespace detail
 
 /// The value over a ring R of the subexpression with the given root. lookup(name, node) gives a name's value,
-/// literal(node) a number's. Throws InputError with the column for division by zero, roots of negative
-/// numbers and values too large to compute; OutsideRingError for a root that R does not hold.
+/// literal(value, half_unit) a number's. Throws InputError with the column for division by zero and roots of
+/// negative numbers; OutsideRingError for values that R does not hold and those too large to compute.
 template <class R, class Lookup, class Literal>
 R evaluate(const Expression& expression, std::size_t root, const Lookup& lookup, const Literal& literal) {
   const std::vector<Expression::Node>& nodes = expression.nodes();
@@ -124,7 +142,7 @@ R evaluate(const Expression& expression, std::size_t root, const Lookup& lookup,
     const Expression::Node& node = nodes[i];
     try {
       if (node.kind == Expression::Kind::number) {
-        stack.push_back(literal(node));
+        stack.push_back(literal(node.value, node.half_unit));
       } else if (node.kind == Expression::Kind::name) {
         stack.push_back(lookup(node.name, node));
       } else {
@@ -142,8 +160,7 @@ R evaluate(const Expression& expression, std::size_t root, const Lookup& lookup,
 /// The value of the whole expression, numbers taken as their exact values.
 template <class R, class Lookup>
 R evaluate(const Expression& expression, const Lookup& lookup) {
-  const auto literal = [](const Expression::Node& node) { return from_rational<R>(node.value); };
-  return evaluate<R>(expression, expression.root(), lookup, literal);
+  return evaluate<R>(expression, expression.root(), lookup, ExactLiteral<R>{});
 }
 
 /// A constant's value. Names are errors (InputError).

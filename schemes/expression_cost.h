@@ -22,7 +22,7 @@ template <>
 struct ExpressionCost<Rational> {
   static constexpr bool sums_are_products = false;
   static constexpr long limit = 100'000'000;
-  static constexpr long laurent_limit = 1'000'000;
+  static constexpr long laurent_limit = 4'000'000;
   /// In words of 64 bits.
   static long size(const Rational& x);
 };

@@ -49,7 +49,7 @@ void require_size(const StepDescription& step, int size) {
 
 void reject_sum(const SchemeDescription& scheme, const StepDescription& step, const std::string& sum,
                 const std::string& miss) {
-  const std::string arity = std::to_string(step.file ? step.file->arity : 2);
+  const std::string arity = std::to_string(step.arity());
   std::string message = (step.file ? step.file->path : in_quotes(step.text)) + ": the coefficients sum to " +
                         sum + values_text(step) + ", not to the arity " + arity + "; the sum minus " + arity +
                         " is " + miss;
@@ -69,10 +69,15 @@ void reject_sum(const SchemeDescription& scheme, const StepDescription& step, co
 }
 
 std::string shown(const Rational& x) {
-  constexpr std::size_t readable = 12;
+  constexpr int most_decimals = 30;
+  for (int decimals = 0; decimals <= most_decimals; ++decimals) {
+    const std::string text = to_decimal(x, decimals);
+    if (Rational::parse(text) == x) return text;
+  }
+  constexpr std::size_t readable = 40;
   constexpr int digits = 17;
   const std::string exact = x.to_string();
-  return exact.size() <= readable ? exact : to_significant(x, digits) + " (" + exact + ")";
+  return exact.size() <= readable ? exact : "about " + to_significant(x, digits);
 }
 
 }  // namespace detail
@@ -87,14 +92,14 @@ Scheme<RationalFunction> symbolic_scheme(const SchemeDescription& scheme) {
 
 Scheme<Interval> interval_scheme(const SchemeDescription& scheme, std::span<const Interval> free_values,
                                  long precision) {
-  return detail::instantiate_with(scheme, free_values, detail::IntervalLiteral{precision, !scheme.rounded});
+  return detail::instantiate_with(scheme, free_values, IntervalLiteral{precision, !scheme.rounded});
 }
 
 std::vector<FactoredSymbol<Interval>> factored_interval_symbols(const SchemeDescription& scheme,
                                                                 std::span<const Interval> free_values,
                                                                 long precision) {
-  const detail::Evaluator<Interval, detail::IntervalLiteral> evaluator(scheme, free_values,
-                                                                       {precision, !scheme.rounded});
+  const detail::Evaluator<Interval, IntervalLiteral> evaluator(scheme, free_values,
+                                                               {precision, !scheme.rounded});
   std::vector<FactoredSymbol<Interval>> result;
   for (const StepDescription& step : scheme.steps) result.push_back(evaluator.factored_symbol(step));
   return result;

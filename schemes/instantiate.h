@@ -56,22 +56,6 @@ using ExactScheme = std::variant<Scheme<Rational>, Scheme<Algebraic>, Scheme<Rat
 
 namespace detail {
 
-/// How a literal with this value, known to half_unit on both sides, is represented over R.
-template <class R>
-struct ExactLiteral {
-  R operator()(const Rational& value, const Rational& /*half_unit*/) const { return from_rational<R>(value); }
-  static constexpr bool decimals_are_exact = true;
-};
-
-struct IntervalLiteral {
-  long precision;
-  bool decimals_are_exact;
-  Interval operator()(const Rational& value, const Rational& half_unit) const {
-    if (decimals_are_exact || half_unit.sign() == 0) return Interval(value, precision);
-    return Interval::hull(value - half_unit, value + half_unit, precision);
-  }
-};
-
 /// " at s = -6, t = 1/2": the values under which something failed.
 [[nodiscard]] std::string values_text(const StepDescription& step);
 /// Throws InputError unless the mask is neither zero nor too long.
@@ -96,20 +80,16 @@ class Evaluator {
   }
 
   [[nodiscard]] FactoredSymbol<R> factored_symbol(const StepDescription& step) const {
-    const Bindings<R> bindings = bind(step);
-    try {
-      return step.file ? file_symbol(*step.file, bindings)
-                       : FactoredSymbol<R>{0, family_symbol(step, bindings)};
-    } catch (const OutsideRingError& error) {
-      throw OutsideRingError(error.what() + values_text(step));
-    } catch (const InputError& error) {
-      throw InputError(error.what() + values_text(step));
-    }
+    return in_step(step, [&](const Bindings<R>& bindings) -> FactoredSymbol<R> {
+      if (!step.file || !step.file->symbol) return {0, symbol(step, bindings)};
+      return in_place(step.file->symbol_place(), [&] {
+        return subdiv::factored_symbol(step.file->symbol->expression, step.file->arity, bindings, literal_);
+      });
+    });
   }
 
   [[nodiscard]] Mask<R> mask(const StepDescription& step) const {
-    const int arity = step_arity(step);
-    Mask<R> result{arity, factored_symbol(step).expanded(arity)};
+    Mask<R> result{step.arity(), in_step(step, [&](const Bindings<R>& b) { return symbol(step, b); })};
     require_size(step, result.symbol.size());
     require_sum(step, result);
     return result;
@@ -121,7 +101,7 @@ class Evaluator {
     const auto lookup = [&](const std::string& name, const Expression::Node& /*node*/) {
       return free_.at(name);
     };
-    const auto exact = [&](const Expression::Node& node) { return literal_(node.value, Rational(0)); };
+    const auto exact = [&](const Rational& number, const Rational&) { return literal_(number, Rational(0)); };
     Bindings<R> result;
     for (const Argument& argument : step.arguments) {
       const Expression& value = argument.value;
@@ -158,13 +138,10 @@ class Evaluator {
     return map_coefficients(step.form->mask(step.whole).symbol, at_values);
   }
 
-  [[nodiscard]] FactoredSymbol<R> file_symbol(const SchemeFile& file, const Bindings<R>& bindings) const {
-    const auto literal = [&](const Expression::Node& node) { return literal_(node.value, node.half_unit); };
+  [[nodiscard]] Laurent<R> file_symbol(const SchemeFile& file, const Bindings<R>& bindings) const {
     if (file.symbol) {
-      return in_place(file.symbol_place(), [&] {
-        return subdiv::factored_symbol(file.symbol->expression, file.arity, bindings, literal,
-                                       literal_.decimals_are_exact);
-      });
+      return in_place(file.symbol_place(),
+                      [&] { return symbol_value(file.symbol->expression, bindings, literal_); });
     }
     const auto lookup = [&](const std::string& name, const Expression::Node&) {
       return bindings.values.at(name);
@@ -173,9 +150,26 @@ class Evaluator {
     for (std::size_t i = 0; i < file.coefficients.size(); ++i) {
       const Expression& value = file.coefficients[i].expression;
       coefficients.push_back(in_place(file.coefficient_place(i),
-                                      [&] { return evaluate<R>(value, value.root(), lookup, literal); }));
+                                      [&] { return evaluate<R>(value, value.root(), lookup, literal_); }));
     }
-    return {0, Laurent<R>(file.first, std::move(coefficients))};
+    return Laurent<R>(file.first, std::move(coefficients));
+  }
+
+  [[nodiscard]] Laurent<R> symbol(const StepDescription& step, const Bindings<R>& bindings) const {
+    return step.file ? file_symbol(*step.file, bindings) : family_symbol(step, bindings);
+  }
+
+  /// Runs a computation with a step's values; they close the message of its InputError.
+  template <class Computation>
+  auto in_step(const StepDescription& step, const Computation& computation) const {
+    const Bindings<R> bindings = bind(step);
+    try {
+      return computation(bindings);
+    } catch (const OutsideRingError& error) {
+      throw OutsideRingError(error.what() + values_text(step));
+    } catch (const InputError& error) {
+      throw InputError(error.what() + values_text(step));
+    }
   }
 
   /// Runs a computation; the place opens the message of its InputError.
@@ -188,10 +182,6 @@ class Evaluator {
     } catch (const InputError& error) {
       throw InputError(place + ": " + error.what());
     }
-  }
-
-  [[nodiscard]] static int step_arity(const StepDescription& step) {
-    return step.file ? step.file->arity : step.form->mask(step.whole).arity;
   }
 
   void require_sum(const StepDescription& step, const Mask<R>& mask) const {
@@ -232,7 +222,7 @@ Scheme<R> instantiate_with(const SchemeDescription& scheme, std::span<const R> f
 
 template <class R>
 Scheme<R> instantiate(const SchemeDescription& scheme, std::span<const R> free_values) {
-  return detail::instantiate_with(scheme, free_values, detail::ExactLiteral<R>{});
+  return detail::instantiate_with(scheme, free_values, ExactLiteral<R>{});
 }
 
 }  // namespace subdiv

@@ -79,8 +79,11 @@ class Builder : public nlohmann::json::json_sax_t {
   bool end_object() override { return close(); }
   bool end_array() override { return close(); }
   bool key(string_t& name) override {
-    if (open_.back()->find(name) != nullptr)
+    constexpr std::size_t most_members = 1000;
+    if (open_.back()->members.size() == most_members) fail("more than 1000 entries in one object");
+    if (open_.back()->find(name) != nullptr) {
       fail(in_quotes(name) + " occurs twice in one object; keep one of them");
+    }
     key_ = std::move(name);
     return true;
   }

@@ -86,7 +86,12 @@ long whole_value(const Parameter& parameter, const Expression& value) {
   const std::string expected = parameter.name + " must be " + parameter.range();
   if (!value.names().empty())
     throw InputError(expected + "; it cannot be left free as " + in_quotes(value.text()));
-  const auto number = evaluate_constant<Rational>(value);
+  Rational number;
+  try {
+    number = evaluate_constant<Rational>(value);
+  } catch (const InputError& error) {
+    throw InputError(expected + ": " + error.what());
+  }
   const bool in_range = number.is_integer() && Rational(parameter.least) <= number &&
                         number <= Rational(parameter.greatest) &&
                         (number.to_integer() - parameter.least) % parameter.step == 0;
@@ -159,17 +164,13 @@ StepDescription parse_step(std::string_view text, std::vector<std::string>& free
   return step;
 }
 
-int arity(const StepDescription& step) {
-  return step.file ? step.file->arity : step.form->mask(step.whole).arity;
-}
-
 void require_one_arity(const SchemeDescription& scheme) {
-  const int first = arity(scheme.steps.front());
+  const int first = scheme.steps.front().arity();
   for (const StepDescription& step : scheme.steps) {
-    if (arity(step) != first) {
+    if (step.arity() != first) {
       throw InputError("steps of different arity: " + in_quotes(scheme.steps.front().text) + " has arity " +
                        std::to_string(first) + ", " + in_quotes(step.text) + " has arity " +
-                       std::to_string(arity(step)));
+                       std::to_string(step.arity()));
     }
   }
 }

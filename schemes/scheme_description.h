@@ -28,6 +28,7 @@ struct StepDescription {
   std::vector<long> whole;          // the values of the form's whole parameters
 
   [[nodiscard]] const std::string& name() const { return file ? file->name : family->name; }
+  [[nodiscard]] int arity() const { return file ? file->arity : form->mask(whole).arity; }
 };
 
 /// A scheme as written, before anything is evaluated; schemes/instantiate.h gives its masks over any ring.

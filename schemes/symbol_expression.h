@@ -52,8 +52,7 @@ struct WrittenProduct {
 /// taken apart.
 [[nodiscard]] WrittenProduct written_product(const Expression& expression);
 
-/// The subexpression as a Laurent polynomial in z; every other name must be bound. The literal maps a
-/// number's node to R.
+/// The subexpression as a Laurent polynomial in z; every other name must be bound. literal as in evaluate.
 template <class R, class Literal>
 Laurent<R> evaluate_symbol(const Expression& expression, std::size_t root,
                            const std::map<std::string, R, std::less<>>& values, const Literal& literal) {
@@ -63,94 +62,131 @@ Laurent<R> evaluate_symbol(const Expression& expression, std::size_t root,
     if (found == values.end()) throw InputError(expression.locate(node, "unknown name " + in_quotes(name)));
     return Laurent<R>::constant(found->second);
   };
-  const auto constant = [&](const Expression::Node& node) { return Laurent<R>::constant(literal(node)); };
+  const auto constant = [&](const Rational& value, const Rational& half_unit) {
+    return Laurent<R>::constant(literal(value, half_unit));
+  };
   return evaluate<Laurent<R>>(expression, root, lookup, constant);
 }
 
 namespace detail {
 
-/// Numerator and denominator of the part of a product that lies in one ring.
+/// The part of a written product that lies in one ring, as numerator and denominator.
 template <class R>
-struct Quotient {
+struct SymbolPart {
   Laurent<R> above{1};
   Laurent<R> below{1};
   CostMeter<Laurent<R>> meter{};
 
   void include(const Laurent<R>& factor, long power) {
     if (power < 0 && factor.is_zero()) throw std::domain_error("division by zero: this divisor is 0");
-    Laurent<R>& part = power > 0 ? above : below;
-    part = metered_product(part, integer_power(factor, std::abs(power), meter), meter);
+    Laurent<R>& side = power > 0 ? above : below;
+    side = metered_product(side, integer_power(factor, std::abs(power), meter), meter);
   }
   [[nodiscard]] Laurent<R> value() const { return ExpressionRing<Laurent<R>>::quotient(above, below); }
 };
 
-/// The exact value of a subexpression, when all that occurs in it is rational; exact_decimals says whether
-/// decimals are.
+/// The exact value of a subexpression, when all that occurs in it is rational.
 template <class R>
 std::optional<Laurent<Rational>> rational_value(const Expression& expression, std::size_t root,
-                                                const Bindings<R>& bindings, bool exact_decimals) {
-  if (!exact_decimals && expression.has_decimals(root)) return std::nullopt;
+                                                const Bindings<R>& bindings, bool decimals_are_exact) {
+  if (!decimals_are_exact && expression.has_decimals(root)) return std::nullopt;
   for (const std::string& name : expression.names(root)) {
     if (name != symbol_name && !bindings.rational.contains(name)) return std::nullopt;
   }
   try {
-    return evaluate_symbol<Rational>(expression, root, bindings.rational,
-                                     [](const Expression::Node& node) { return node.value; });
+    return evaluate_symbol<Rational>(expression, root, bindings.rational, ExactLiteral<Rational>{});
   } catch (const OutsideRingError&) {
     return std::nullopt;
   }
 }
 
-/// The product of both parts, its smoothing factors split off.
-template <class R>
-FactoredSymbol<R> combine(const Quotient<Rational>& exact, const Quotient<R>& other, int arity) {
-  const auto in_ring = [](const Laurent<Rational>& p) {
-    return map_coefficients(p, [](const Rational& q) { return from_rational<R>(q); });
-  };
-  CostMeter<Laurent<R>> meter;
-  if constexpr (ExactRing<R>) {
-    const Quotient<R> whole{metered_product(in_ring(exact.above), other.above, meter),
-                            metered_product(in_ring(exact.below), other.below, meter)};
-    const Laurent<R> value = whole.value();
-    if (value.is_zero()) return {};
-    auto [count, cofactor] = divide_out(value, smoothing_factor<R>(arity));
-    return {count, std::move(cofactor)};
-  } else {
-    const Laurent<Rational> value = exact.value();
-    if (value.is_zero() || other.above.is_zero()) return {};
-    const auto [count, cofactor] = divide_out(value, smoothing_factor<Rational>(arity));
-    return {count, metered_product(in_ring(cofactor), other.value(), meter)};
-  }
-}
-
-}  // namespace detail
-
-/// The symbol written by an expression in z and the bound names. exact_decimals: decimals are the numbers
-/// they show, as opposed to roundings that the literal widens. Throws InputError with the column.
-template <class R, class Literal>
-FactoredSymbol<R> factored_symbol(const Expression& expression, int arity, const Bindings<R>& bindings,
-                                  const Literal& literal, bool exact_decimals) {
-  detail::Quotient<Rational> exact;
-  detail::Quotient<R> other;
+/// Sorts the factors of the written product into those that are exactly rational and the others, and combines
+/// both parts; an error of the combination is shown at the root.
+template <class R, class Literal, class Combine>
+auto combine_factors(const Expression& expression, const Bindings<R>& bindings, const Literal& literal,
+                     const Combine& combine) {
   const WrittenProduct product = written_product(expression);
-  exact.above = Laurent<Rational>(product.sign);
+  SymbolPart<Rational> rational;
+  SymbolPart<R> other;
+  rational.above = Laurent<Rational>(product.sign);
   const Expression::Node* node = nullptr;
   try {
     for (const WrittenFactor& factor : product.factors) {
       node = &expression.nodes()[factor.root];
-      if (const auto rational = detail::rational_value(expression, factor.root, bindings, exact_decimals)) {
-        exact.include(*rational, factor.power);
+      if (const auto value = rational_value(expression, factor.root, bindings, literal.decimals_are_exact)) {
+        rational.include(*value, factor.power);
       } else {
         other.include(evaluate_symbol(expression, factor.root, bindings.values, literal), factor.power);
       }
     }
     node = &expression.nodes()[expression.root()];
-    return detail::combine(exact, other, arity);
+    return combine(rational, other);
   } catch (const OutsideRing& error) {
     throw OutsideRingError(expression.locate(*node, error.what()));
   } catch (const std::domain_error& error) {
     throw InputError(expression.locate(*node, error.what()));
   }
+}
+
+/// A polynomial over Q with its coefficients in R.
+template <class R, class Literal>
+Laurent<R> in_ring(const Laurent<Rational>& p, const Literal& literal) {
+  return map_coefficients(p, [&](const Rational& q) { return literal(q, Rational(0)); });
+}
+
+/// The product of a rational polynomial and the other part of a symbol.
+template <class R, class Literal>
+Laurent<R> joined_value(const Laurent<Rational>& rational, const SymbolPart<R>& other,
+                        const Literal& literal) {
+  CostMeter<Laurent<R>> meter;
+  return metered_product(in_ring<R>(rational, literal), other.value(), meter);
+}
+
+/// The value of both parts. Exact rings divide the whole product, so that a factor of one part may cancel
+/// against the other.
+template <class R, class Literal>
+Laurent<R> joined_value(const SymbolPart<Rational>& rational, const SymbolPart<R>& other,
+                        const Literal& literal) {
+  if constexpr (ExactRing<R>) {
+    CostMeter<Laurent<R>> meter;
+    return SymbolPart<R>{metered_product(in_ring<R>(rational.above, literal), other.above, meter),
+                         metered_product(in_ring<R>(rational.below, literal), other.below, meter)}
+        .value();
+  } else {
+    return joined_value(rational.value(), other, literal);
+  }
+}
+
+}  // namespace detail
+
+/// The symbol written by an expression in z and the bound names. The literal is an ExactLiteral<R> or
+/// IntervalLiteral. Throws InputError with the column.
+template <class R, class Literal>
+Laurent<R> symbol_value(const Expression& expression, const Bindings<R>& bindings, const Literal& literal) {
+  return detail::combine_factors(expression, bindings, literal, [&](const auto& rational, const auto& other) {
+    return detail::joined_value(rational, other, literal);
+  });
+}
+
+/// The same with its smoothing factors split off.
+template <class R, class Literal>
+FactoredSymbol<R> factored_symbol(const Expression& expression, int arity, const Bindings<R>& bindings,
+                                  const Literal& literal) {
+  const auto combine = [&](const detail::SymbolPart<Rational>& rational,
+                           const detail::SymbolPart<R>& other) -> FactoredSymbol<R> {
+    if constexpr (ExactRing<R>) {
+      const Laurent<R> value = detail::joined_value(rational, other, literal);
+      if (value.is_zero()) return {};
+      auto [count, cofactor] = divide_out(value, smoothing_factor<R>(arity));
+      return {count, std::move(cofactor)};
+    } else {
+      const Laurent<Rational> value = rational.value();
+      if (value.is_zero()) return {};
+      const auto [count, cofactor] = divide_out(value, smoothing_factor<Rational>(arity));
+      return {count, detail::joined_value(cofactor, other, literal)};
+    }
+  };
+  return detail::combine_factors(expression, bindings, literal, combine);
 }
 
 }  // namespace subdiv

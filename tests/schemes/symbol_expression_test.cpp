@@ -15,18 +15,20 @@ using testing::expect_input_error;
 using P = Laurent<Rational>;
 
 template <class R>
-FactoredSymbol<R> factored(const std::string& text, int arity = 2, const Bindings<R>& bindings = {},
-                           bool exact_decimals = true) {
-  const auto literal = [&](const Expression::Node& node) {
-    if constexpr (std::is_same_v<R, Interval>) {
-      if (!exact_decimals) return Interval::hull(node.value - node.half_unit, node.value + node.half_unit);
-    }
-    return from_rational<R>(node.value);
-  };
-  return factored_symbol<R>(Expression::parse(text), arity, bindings, literal, exact_decimals);
+FactoredSymbol<R> factored(const std::string& text, int arity = 2, const Bindings<R>& bindings = {}) {
+  return factored_symbol(Expression::parse(text), arity, bindings, ExactLiteral<R>{});
 }
 
-P symbol(const std::string& text, int arity = 2) { return factored<Rational>(text, arity).expanded(arity); }
+FactoredSymbol<Interval> rounded_symbol(const std::string& text) {
+  const IntervalLiteral literal{.precision = 100, .decimals_are_exact = false};
+  return factored_symbol(Expression::parse(text), 2, Bindings<Interval>{}, literal);
+}
+
+P symbol(const std::string& text, int arity = 2) {
+  const P value = symbol_value(Expression::parse(text), Bindings<Rational>{}, ExactLiteral<Rational>{});
+  EXPECT_EQ(factored<Rational>(text, arity).expanded(arity), value);
+  return value;
+}
 
 TEST(SymbolExpression, IsALaurentPolynomialIndexedByThePowerOfZ) {
   EXPECT_EQ(symbol("2*((1+z)/2)^4"),
@@ -102,7 +104,7 @@ TEST(SymbolExpression, InexactRingsCountTheWrittenFactors) {
 TEST(SymbolExpression, RoundedDecimalsAreNotExactFactors) {
   const std::string text = "2*((1+z)/2)^4*(0.5+0.5*z)*(1.25-0.5*z+0.25*z^2)";
   EXPECT_EQ(factored<Interval>(text).smoothing_factors, 5);
-  const auto rounded = factored<Interval>(text, 2, {}, false);
+  const auto rounded = rounded_symbol(text);
   EXPECT_EQ(rounded.smoothing_factors, 4);
   EXPECT_TRUE(rounded.cofactor[0].contains(Rational(1, 16) * Rational(125, 100)));
   EXPECT_GT(rounded.cofactor[0].radius(), 1e-3);
