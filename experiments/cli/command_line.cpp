@@ -34,6 +34,7 @@ struct CommandLine {
   std::function<int()> action;
   ReproduceOptions reproduce_options;
   CheckOptions check_options;
+  AnalyzeOptions analyze_options;
   ListOptions list_options;
 
   CommandLine() {
@@ -44,6 +45,7 @@ struct CommandLine {
                exit_codes);
     add_reproduce();
     add_check();
+    add_analyze();
     add_list();
   }
 
@@ -73,6 +75,21 @@ struct CommandLine {
     add_jobs(verb, options.jobs);
     verb.footer(std::string("Example:  subdivlab check 'area.*' --against results\n\n") + exit_codes);
     verb.callback([this] { action = [this] { return check(check_options); }; });
+  }
+
+  void add_analyze() {
+    auto& options = analyze_options;
+    CLI::App& verb = *app.add_subcommand("analyze", "Say everything that can be said of a scheme");
+    verb.add_option("SCHEME", options.scheme,
+                    "NAME or FILE.json, parameters after a colon; steps joined by +, the last repeats")
+        ->required();
+    verb.add_flag("--json", options.json, "Machine-readable output; numbers are strings");
+    verb.footer(std::string("Examples:  subdivlab analyze jspline:s=3/2\n"
+                            "           subdivlab analyze jspline:s=-33/26+jspline:s=3/2 --json\n"
+                            "           subdivlab analyze four-point:w=w      (w stays free)\n"
+                            "           subdivlab analyze my-scheme.json:w=1/16\n\n") +
+                exit_codes);
+    verb.callback([this] { action = [this] { return analyze(analyze_options); }; });
   }
 
   void add_list() {

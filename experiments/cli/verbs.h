@@ -29,6 +29,13 @@ struct CheckOptions {
 /// Runs experiments, prints how they differ from a results folder, writes nothing.
 [[nodiscard]] int check(const CheckOptions& options);
 
+struct AnalyzeOptions {
+  std::string scheme;
+  bool json = false;
+};
+/// Prints everything that can be said of a scheme.
+[[nodiscard]] int analyze(const AnalyzeOptions& options);
+
 struct ListOptions {
   std::string what;  // schemes, claims, objectives, or empty for all three
   bool json = false;

@@ -35,7 +35,9 @@ std::string digits_text(const Rational& lower, const Rational& upper, bool appro
   const std::string prefix = approximate ? "~" : "";
   const Rational middle = (lower + upper) / Rational(2);
   if (lower == upper) return prefix + to_significant(middle, static_cast<int>(shown_digits));
-  const long digits = std::min(significant_digits(lower, upper), shown_digits);
+  // The last digit of an approximate value is the last believed one; of a proved value it is certain but for
+  // rounding.
+  const long digits = std::min(significant_digits(lower, upper) + (approximate ? 1 : 0), shown_digits);
   constexpr long least_shown = 4;
   if (digits < least_shown && !(approximate && digits > 0)) return prefix + short_interval(lower, upper);
   return prefix + to_significant(middle, static_cast<int>(digits));
