@@ -44,16 +44,6 @@ bool holds_at(const std::vector<RationalFunction>& characteristic, const F& valu
   return satisfies_reif(FieldPolynomial<F>(std::move(coefficients)), arity, order);
 }
 
-/// Takes one root out of the factors, if one of them has it for every value of the parameter.
-bool take_constant_root(std::vector<std::pair<Polynomial, int>>& factors, const Rational& root) {
-  const auto found = std::find_if(factors.begin(), factors.end(), [&](const auto& factor) {
-    return factor.second > 0 && at_eigenvalue(factor.first, root).is_zero();
-  });
-  if (found == factors.end()) return false;
-  --found->second;
-  return true;
-}
-
 }  // namespace
 
 RealSet reif_set(const Mask<RationalFunction>& mask, int order, int parameter) {
@@ -68,13 +58,12 @@ RealSet reif_set(const Mask<RationalFunction>& mask, int order, int parameter) {
     return std::find(poles.begin(), poles.end(), x) != poles.end();
   };
 
-  std::vector<std::pair<Polynomial, int>> others = factor(equation).factors;
   for (int k = 0; k <= order; ++k) {
-    const Rational power = pow(Rational(mask.arity), -k);
-    if (take_constant_root(others, power)) continue;
+    const Polynomial absent = at_eigenvalue(equation, pow(Rational(mask.arity), -k));
+    if (absent.is_zero()) continue;
     // The eigenvalue m^-k is present at single values of the parameter, if at all.
     std::vector<Algebraic> candidates;
-    append_real_roots(at_eigenvalue(equation, power), parameter, candidates);
+    append_real_roots(absent, parameter, candidates);
     return solve_by_cells(std::move(candidates), [&](const Algebraic& x) {
       if (is_pole(x)) return false;
       if (x.is_rational()) return holds_at(characteristic, x.to_rational(), parameter, mask.arity, order);
@@ -84,11 +73,12 @@ RealSet reif_set(const Mask<RationalFunction>& mask, int order, int parameter) {
 
   std::vector<Algebraic> critical = poles;
   const Rational radius = pow(Rational(mask.arity), -order);
-  for (const auto& [base, multiplicity] : others) {
-    if (multiplicity > 0) append_crossings(base, radius, parameter, critical);
+  for (const auto& [base, multiplicity] : factor(equation).factors) {
+    append_crossings(base, radius, parameter, critical);
   }
   return solve_by_cells(std::move(critical), [&](const Algebraic& x) {
-    // An irrational x is a pole or a crossing: some other eigenvalue is not strictly inside the circle.
+    // An irrational x is a pole or a crossing: an eigenvalue that depends on x is not strictly inside the
+    // circle.
     if (!x.is_rational() || is_pole(x)) return false;
     return holds_at(characteristic, x.to_rational(), parameter, mask.arity, order);
   });

@@ -27,38 +27,34 @@ Laurent<R> iteration(const Laurent<R>& limit_mask) {
 /// A function of the parameter and the cosine, ready for questions about its sign.
 struct CosineFunction {
   Polynomial numerator;
-  Polynomial denominator;           // of the parameter alone
+  Polynomial denominator;           // of the parameter alone; vanishes at every real pole of the mask
   std::vector<Polynomial> factors;  // irreducible, of the numerator
-  std::vector<Algebraic> poles;     // of the function and of the mask
   int parameter;
-
-  [[nodiscard]] bool has_pole(const Algebraic& x) const {
-    return std::find(poles.begin(), poles.end(), x) != poles.end();
-  }
 };
 
-CosineFunction make_cosine_function(const RationalFunction& f, const Laurent<RationalFunction>& mask,
-                                    int parameter) {
-  CosineFunction result{f.numerator(), f.denominator(), {}, {}, parameter};
-  append_real_roots(f.denominator(), parameter, result.poles);
-  for (const RationalFunction& c : mask.coefficients())
-    append_real_roots(c.denominator(), parameter, result.poles);
+CosineFunction make_cosine_function(const RationalFunction& f, int parameter) {
+  CosineFunction result{f.numerator(), f.denominator(), {}, parameter};
   if (f.is_zero()) return result;
   for (const auto& [base, multiplicity] : factor(f.numerator()).factors) result.factors.push_back(base);
+  return result;
+}
+
+std::vector<Algebraic> poles(const CosineFunction& f) {
+  std::vector<Algebraic> result;
+  append_real_roots(f.denominator, f.parameter, result);
   return result;
 }
 
 /// 1 - |1 - L|^2: positive where the iteration shrinks a frequency.
 CosineFunction shrinking(const Laurent<RationalFunction>& limit_mask, int parameter) {
   const RationalFunction cosine = RationalFunction::variable(cosine_variable);
-  return make_cosine_function(RationalFunction(1) - power_spectrum(iteration(limit_mask), cosine), limit_mask,
-                              parameter);
+  return make_cosine_function(RationalFunction(1) - power_spectrum(iteration(limit_mask), cosine), parameter);
 }
 
 /// |L|^2: positive where a frequency can be solved for.
 CosineFunction solvable(const Laurent<RationalFunction>& limit_mask, int parameter) {
   const RationalFunction cosine = RationalFunction::variable(cosine_variable);
-  return make_cosine_function(power_spectrum(limit_mask, cosine), limit_mask, parameter);
+  return make_cosine_function(power_spectrum(limit_mask, cosine), parameter);
 }
 
 template <OrderedField F>
@@ -81,7 +77,7 @@ bool positive_at(const CosineFunction& f, const F& x) {
 }
 
 RealSet positive_everywhere(const CosineFunction& f) {
-  std::vector<Algebraic> critical = f.poles;
+  std::vector<Algebraic> critical = poles(f);
   for (const Polynomial& factor : f.factors) {
     // A root enters [-1, 1] through an end, or as a double root.
     append_real_roots(factor.substitute(cosine_variable, Polynomial(1)), f.parameter, critical);
@@ -92,7 +88,6 @@ RealSet positive_everywhere(const CosineFunction& f) {
     }
   }
   return solve_by_cells(std::move(critical), [&](const Algebraic& x) {
-    if (f.has_pole(x)) return false;
     return x.is_rational() ? positive_at(f, x.to_rational()) : positive_at(f, x);
   });
 }
@@ -196,18 +191,16 @@ RealSet alternation_dominates(const Laurent<RationalFunction>& limit_mask, int p
   const RationalFunction cosine = RationalFunction::variable(cosine_variable);
   const Laurent<RationalFunction> error = iteration(limit_mask);
   const RationalFunction lead = power_spectrum(error, RationalFunction(-1)) - power_spectrum(error, cosine);
-  return positive_everywhere(
-      make_cosine_function(lead / (cosine + RationalFunction(1)), limit_mask, parameter));
+  return positive_everywhere(make_cosine_function(lead / (cosine + RationalFunction(1)), parameter));
 }
 
 RealSet retrofit_range_of_loops(const Laurent<RationalFunction>& limit_mask, int n, int parameter) {
   const CosineFunction f = shrinking(limit_mask, parameter);
   const std::vector<Algebraic> cosines = loop_cosines(n);
   std::vector<Algebraic> critical = zeros_on_loop(f, n);
-  critical.insert(critical.end(), f.poles.begin(), f.poles.end());
+  append_real_roots(f.denominator, parameter, critical);
   return solve_by_cells(std::move(critical), [&](const Algebraic& x) {
-    if (!x.is_rational() || f.has_pole(x))
-      return false;  // irrational: critical, some frequency does not shrink
+    if (!x.is_rational()) return false;  // irrational: critical, some frequency does not shrink
     const Rational value = x.to_rational();
     const int below = specialize(f.denominator, parameter, value).sign();
     const UnivariatePolynomial above(in_cosine(f.numerator, parameter, value).coefficients());
@@ -219,7 +212,10 @@ RealSet retrofit_range_of_loops(const Laurent<RationalFunction>& limit_mask, int
 std::vector<Algebraic> singular_for_loops(const Laurent<RationalFunction>& limit_mask, int n, int parameter) {
   const CosineFunction f = solvable(limit_mask, parameter);
   std::vector<Algebraic> zeros = zeros_on_loop(f, n);
-  std::erase_if(zeros, [&](const Algebraic& x) { return f.has_pole(x); });
+  const std::vector<Algebraic> excluded = poles(f);
+  std::erase_if(zeros, [&](const Algebraic& x) {
+    return std::find(excluded.begin(), excluded.end(), x) != excluded.end();
+  });
   std::sort(zeros.begin(), zeros.end());
   zeros.erase(std::unique(zeros.begin(), zeros.end()), zeros.end());
   return zeros;

@@ -53,8 +53,8 @@ R symbol_at_cosine(const Laurent<R>& mask, const R& c) {
                                                         int parameter = 0);
 
 /// The parameter values for which alternating data P_i = (-1)^i, cos w = -1, shrink most slowly or grow
-/// fastest: every other frequency has a strictly smaller |1 - L|. There the spectral radius is |1 - L(-1)|, a
-/// function of the parameter in closed form.
+/// fastest: |1 - L|^2 at every other frequency is smaller, by at least a positive multiple of 1 + cos w.
+/// There the spectral radius is |1 - L(-1)|, a function of the parameter in closed form.
 [[nodiscard]] RealSet alternation_dominates(const Laurent<RationalFunction>& limit_mask, int parameter = 0);
 
 /// The exact spectral radius of I - L over the infinite matrix: the factor by which errors shrink (or grow) a
