@@ -1,0 +1,222 @@
+#include "experiments/basis_fit.h"
+
+#include <array>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "analysis/basis_function.h"
+#include "analysis/bspline_distance.h"
+#include "analysis/uniform_bspline.h"
+#include "optimize/objectives.h"
+#include "schemes/jspline.h"
+
+namespace subdiv {
+namespace {
+
+constexpr int digits = 15;
+const Range fit_range{Rational(-17, 10), Rational(58, 10)};
+
+/// A target of section 4 (or 9), and what the documents print of its fits.
+struct Target {
+  std::string name;  // in claim ids
+  int degree;
+  std::string text;
+  std::string document;
+  std::string section;
+  std::optional<std::string> l1;
+  std::optional<std::string> linf;
+};
+
+const std::array targets{
+    Target{"b2", 2, "the quadratic B-spline", "jsplines", "4 (js-report 4)", ".689", ".639"},
+    Target{"b4", 4, "the quartic B-spline", "jsplines", "4 (js-report 4)", "1.27", "1.27"},
+    Target{"linear", 1, "the hat function", "js-report", "9", ".304763", ".152773"},
+};
+
+const std::array norms{Norm::l1, Norm::linf, Norm::l2};
+
+std::string claim_id(const Target& target, Norm norm, bool continuum) {
+  return fmt::format("fit.{}.{}{}", target.name, to_string(norm), continuum ? ".continuum" : "");
+}
+
+std::vector<ClaimHead> make_heads() {
+  std::vector<ClaimHead> heads;
+  for (const Target& target : targets) {
+    for (const Norm norm : norms) {
+      const std::optional<std::string> printed = norm == Norm::l1     ? target.l1
+                                                 : norm == Norm::linf ? target.linf
+                                                                      : std::nullopt;
+      const std::string name = to_string(norm);
+      heads.push_back(
+          {claim_id(target, norm, false), printed ? target.document : "subdivlab",
+           printed ? target.section : target.document + " " + target.section, printed, ClaimKind::rounded,
+           fmt::format(
+               "s in [-1.7, 5.8] that minimises the {} distance of the 1531 coefficients of the level-8 "
+               "iterate of S(z), coefficient i at (i - 765)/256, from {} there.",
+               name, target.text)});
+      heads.push_back(
+          {claim_id(target, norm, true), "subdivlab", target.document + " " + target.section, std::nullopt,
+           ClaimKind::rounded,
+           fmt::format("s in [-1.7, 5.8] that minimises the {} distance of the limit function phi_s from {} "
+                       "over the real line.",
+                       name, target.text)});
+    }
+  }
+  heads.push_back({"fit.b2.edge-bound", "jsplines", "4", "1/5", ClaimKind::bound,
+                   "Largest distance, at equal parameters, of *J_.689 from B2 on any control polygon, in "
+                   "units of its longest "
+                   "edge."});
+  heads.push_back({"fit.b2.edge-bound.sharp", "subdivlab", "jsplines 4", std::nullopt, ClaimKind::rounded,
+                   "The least constant for which that bound holds: the supremum over t of the sum of "
+                   "|coefficients| when the "
+                   "difference is written as a combination of edges."});
+  return heads;
+}
+
+const std::vector<ClaimHead>& table() {
+  static const std::vector<ClaimHead> heads = make_heads();
+  return heads;
+}
+
+Scheme<RationalFunction> family() {
+  return stationary<RationalFunction>("*J", jspline(RationalFunction::variable(0)));
+}
+
+Summary fit(const Target& target, Norm norm, bool continuum) {
+  Objective objective;
+  objective.kind = Objective::Kind::fit_bspline;
+  objective.degree = target.degree;
+  constexpr int printed_level = 8;
+  objective.level = continuum ? 0 : printed_level;
+  objective.continuum = continuum;
+  return minimise(family(), objective, norm, {fit_range}, {"s"});
+}
+
+/// Settled by the minimiser when the minimum is proved; undecided otherwise.
+Claim settle_fit(const std::string& id, const Summary& summary, const std::string& note) {
+  if (summary.minimiser.empty()) throw std::logic_error("no minimiser for " + id + ": " + summary.message);
+  Enclosure minimiser = summary.minimiser[0];
+  if (summary.termination != Termination::proved) {
+    minimiser.rigour = Rigour::approximate;
+    return settle_as(head(table(), id), Verdict::undecided, minimiser, summary.message);
+  }
+  return settle(head(table(), id), minimiser, note);
+}
+
+void add_fits(Results& results, const Target& target) {
+  for (const Norm norm : norms) {
+    const Summary discrete = fit(target, norm, false);
+    const Summary continuum = fit(target, norm, true);
+    std::string note;
+    if (!discrete.minimiser.empty() && !continuum.minimiser.empty()) {
+      note = fmt::format("The limit function's own optimum is {}.",
+                         to_significant(continuum.minimiser[0].midpoint(), 10));
+      if (target.degree == 1) {
+        note += " The printed six digits are those of the sampled iterate, not of the limit function.";
+      }
+    }
+    results.claims.push_back(settle_fit(claim_id(target, norm, false), discrete, note));
+    results.claims.push_back(settle_fit(claim_id(target, norm, true), continuum, continuum.message));
+  }
+}
+
+void add_edge_bound(Results& results) {
+  const Enclosure bound = bspline_edge_bound(Rational::parse("0.689"), 2);
+  results.claims.push_back(
+      settle_bound(head(table(), "fit.b2.edge-bound"), BoundSide::at_most, bound,
+                   fmt::format("True, and far from sharp: the least constant is {}, {} times smaller.",
+                               to_significant(bound.midpoint(), 8),
+                               to_significant(Rational(1, 5) / bound.midpoint(), 3))));
+  results.claims.push_back(settle(head(table(), "fit.b2.edge-bound.sharp"), bound));
+}
+
+/// phi_s for the fitted s beside the B-spline, and their difference, at multiples of 1/32.
+void add_curves(Results& results, const std::string& name, const Rational& s, int degree,
+                const std::string& label) {
+  constexpr int level = 5;
+  const Laurent<Rational> values = basis_values(stationary<Rational>("*J", jspline(s)), level);
+  const UniformBspline target(degree);
+  Series series{name, {"t", "phi", "target", "difference"}, {}};
+  constexpr int unit = 1 << level;
+  for (int i = -3 * unit; i <= 3 * unit; ++i) {
+    const Rational t(i, unit);
+    const Rational b = target.value(t);
+    series.rows.push_back({to_significant(t, digits), to_significant(values[i], digits),
+                           to_significant(b, digits), to_significant(values[i] - b, digits)});
+  }
+  results.series.push_back(std::move(series));
+  results.figures.push_back({name,
+                             "Basis function of " + label,
+                             "t",
+                             "",
+                             {{name, "t", "target", fmt::format("B{}", degree), "lines lw 5 lc rgb 'gray70'"},
+                              {name, "t", "phi", label, "lines lw 1.5 lc 1"},
+                              {name, "t", "difference", "difference", "lines lw 1.5 dt 2 lc 2"}},
+                             ""});
+}
+
+/// The discrete objectives for B2 against s, with their minima marked.
+void add_objectives(Results& results, const Claim& best_l1, const Claim& best_linf) {
+  constexpr int level = 8;
+  constexpr int samples = 766;  // i = 0 .. 765, the other half by symmetry
+  const Laurent<RationalFunction> iterate = iterated_symbol(family(), level);
+  const UniformBspline target(2);
+  std::vector<RationalFunction> residuals;
+  for (int i = 0; i < samples; ++i)
+    residuals.emplace_back(iterate[i] - RationalFunction(target.value(Rational(i, 256))));
+  const auto row_at = [&](const Rational& s) {
+    const std::vector<Rational> at{s};
+    Rational l1;
+    Rational linf;
+    for (int i = 0; i < samples; ++i) {
+      const Rational r = abs(residuals[static_cast<std::size_t>(i)].evaluate<Rational>(at));
+      l1 += i == 0 ? r : Rational(2) * r;
+      linf = std::max(linf, r);
+    }
+    return std::vector<std::string>{to_significant(s, digits), to_significant(l1 / Rational(256), digits),
+                                    to_significant(linf, digits)};
+  };
+  Series series{"fit-b2-objective", {"s", "l1", "linf"}, {}};
+  for (int i = 0; i <= 40; ++i) series.rows.push_back(row_at(Rational(2, 5) + Rational(i, 80)));
+  const auto midpoint = [](const Claim& c) { return (c.lower.value() + c.upper.value()) / Rational(2); };
+  const auto short_number = [](const Rational& q) { return Rational::parse(to_significant(q, digits)); };
+  const std::vector<std::string> left = row_at(short_number(midpoint(best_l1)));
+  const std::vector<std::string> right = row_at(short_number(midpoint(best_linf)));
+  Series mark_l1{"fit-b2-optimum-l1", {"s", "l1"}, {{left[0], left[1]}}};
+  Series mark_linf{"fit-b2-optimum-linf", {"s", "linf"}, {{right[0], right[2]}}};
+  for (Series* s : {&series, &mark_l1, &mark_linf}) results.series.push_back(*s);
+  results.figures.push_back({"fit-b2-objective",
+                             "Distance of the level-8 iterate of J_s from the quadratic B-spline",
+                             "s",
+                             "distance",
+                             {{"fit-b2-objective", "s", "l1", "L1 (times 1/256)", "lines lw 2 lc 1"},
+                              {"fit-b2-objective", "s", "linf", "Linf", "lines lw 2 lc 2"},
+                              {"fit-b2-optimum-l1", "s", "l1", "", "points pt 7 ps 1 lc 1"},
+                              {"fit-b2-optimum-linf", "s", "linf", "", "points pt 7 ps 1 lc 2"}},
+                             ""});
+}
+
+const Claim& settled(const Results& results, const std::string& id) {
+  for (const Claim& claim : results.claims) {
+    if (claim.head.id == id) return claim;
+  }
+  throw std::logic_error("no claim " + id);
+}
+
+}  // namespace
+
+std::span<const ClaimHead> basis_fit_heads() { return table(); }
+
+Results run_basis_fit() {
+  Results results;
+  for (const Target& target : targets) add_fits(results, target);
+  add_edge_bound(results);
+  add_curves(results, "fit-b2", Rational::parse("0.689"), 2, "*J_{.689}");
+  add_curves(results, "fit-b4", Rational::parse("1.27"), 4, "*J_{1.27}");
+  add_curves(results, "fit-linear", Rational::parse("0.304763"), 1, "*J_{.304763}");
+  add_objectives(results, settled(results, "fit.b2.l1"), settled(results, "fit.b2.linf"));
+  return results;
+}
+
+}  // namespace subdiv
