@@ -63,7 +63,9 @@ class Parser {
     return true;
   }
   [[nodiscard]] std::string found() const {
-    return position_ < text_.size() ? "found " + in_quotes(text_.substr(position_, 1)) : "the text ends";
+    if (position_ == text_.size()) return "the text ends";
+    if (static_cast<unsigned char>(peek()) > '~') return "found a character that is not ASCII (minus is '-')";
+    return "found " + in_quotes(text_.substr(position_, 1));
   }
   [[nodiscard]] std::string leftover() const {
     const char c = peek();

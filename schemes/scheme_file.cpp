@@ -16,6 +16,14 @@ namespace {
 
 constexpr std::size_t largest_file = 1'000'000;
 
+/// NaN and infinities, as languages print them.
+bool is_no_finite_number(std::string_view name) {
+  std::string lower(name);
+  std::transform(lower.begin(), lower.end(), lower.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return lower == "nan" || lower == "inf" || lower == "infinity";
+}
+
 /// Reads the members of one JSON object and complains in its place.
 class SchemeReader {
  public:
@@ -167,6 +175,10 @@ class SchemeReader {
     for (const Expression::Node& node : value.expression.nodes()) {
       if (node.kind != Expression::Kind::name) continue;
       if (std::find(known.begin(), known.end(), node.name) != known.end()) continue;
+      if (is_no_finite_number(node.name)) {
+        throw InputError(place + ": " + in_quotes(node.name) +
+                         " is no finite number; write one, such as 1/16");
+      }
       std::string what = "unknown name " + in_quotes(node.name) + suggestion(node.name, known);
       what += known.empty()
                   ? " Write a number, or declare the name under \"parameters\""
@@ -238,10 +250,7 @@ void require_parameter_name(std::string_view name, const std::string& place) {
     throw InputError(place + ": " + in_quotes(name) +
                      " cannot name a parameter; a name is a letter followed by letters, digits and _");
   }
-  std::string lower(name);
-  std::transform(lower.begin(), lower.end(), lower.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  if (lower == "nan" || lower == "inf" || lower == "infinity") {
+  if (is_no_finite_number(name)) {
     throw InputError(place + ": " + in_quotes(name) +
                      " is neither a finite number nor a name for a parameter");
   }

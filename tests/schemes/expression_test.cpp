@@ -171,7 +171,7 @@ TEST(Expression, SyntaxErrorsHaveAColumnAndARemedy) {
                                          {"a=1", "column 2", "expected an operator"},
                                          {"\xE2\x88\x92"
                                           "1",
-                                          "column 1", "'?'"},
+                                          "column 1", "not ASCII (minus is '-')"},
                                          {"1\n+", "column 4", "the text ends"}}) {
     expect_input_error([&] { Expression::parse(c.text); }, {c.column, c.remedy});
   }
