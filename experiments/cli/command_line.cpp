@@ -35,6 +35,7 @@ struct CommandLine {
   ReproduceOptions reproduce_options;
   CheckOptions check_options;
   AnalyzeOptions analyze_options;
+  OptimizeOptions optimize_options;
   ListOptions list_options;
 
   CommandLine() {
@@ -46,6 +47,7 @@ struct CommandLine {
     add_reproduce();
     add_check();
     add_analyze();
+    add_optimize();
     add_list();
   }
 
@@ -92,12 +94,38 @@ struct CommandLine {
     verb.callback([this] { action = [this] { return analyze(analyze_options); }; });
   }
 
+  void add_optimize() {
+    auto& options = optimize_options;
+    CLI::App& verb =
+        *app.add_subcommand("optimize", "Minimise an objective over free parameters, with proof");
+    verb.add_option("SCHEME", options.scheme, "The scheme; names as values leave parameters free")
+        ->required();
+    verb.add_option("--over", options.over, "A range for each free parameter")
+        ->type_name("s=LO..HI[,...]")
+        ->required();
+    verb.add_option("--objective", options.objective, "What to minimise: see 'subdivlab list objectives'")
+        ->type_name("NAME[:option=value,...]")
+        ->required();
+    verb.add_option("--norm", options.norm, "The norm of the residuals: l1, l2 or linf")
+        ->type_name("NORM")
+        ->check(CLI::IsMember({"l1", "l2", "linf"}))
+        ->required();
+    verb.add_flag("--json", options.json, "Machine-readable output; numbers are strings");
+    verb.footer(std::string("Examples:  subdivlab optimize jspline:s=r+jspline:s=3/2 --over r=-2..2 "
+                            "--objective vertex --norm linf\n"
+                            "           subdivlab optimize jspline:s=s --over s=0..1 --objective "
+                            "fit-bspline:degree=2 --norm l1\n\n") +
+                exit_codes);
+    verb.callback([this] { action = [this] { return optimize(optimize_options); }; });
+  }
+
   void add_list() {
     auto& options = list_options;
-    CLI::App& verb = *app.add_subcommand("list", "Name the claims that can be reproduced");
-    verb.add_option("WHAT", options.what, "claims (default: everything)")->check(CLI::IsMember({"claims"}));
+    CLI::App& verb = *app.add_subcommand("list", "Name the schemes, the claims, the objectives");
+    verb.add_option("WHAT", options.what, "schemes, claims or objectives (default: all three)")
+        ->check(CLI::IsMember({"schemes", "claims", "objectives"}));
     verb.add_flag("--json", options.json, "Machine-readable output");
-    verb.footer("Example:  subdivlab list claims");
+    verb.footer("Examples:  subdivlab list schemes\n           subdivlab list claims --json");
     verb.callback([this] { action = [this] { return list(list_options); }; });
   }
 };

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <iostream>
 
 #include <nlohmann/json.hpp>
@@ -5,22 +6,70 @@
 #include "experiments/cli/verbs.h"
 #include "experiments/experiment.h"
 #include "experiments/report/utf8.h"
+#include "optimize/objectives.h"
+#include "schemes/catalogue.h"
 
 namespace subdiv::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-void print_claims() {
-  std::size_t width = 0;
-  for (const Experiment& experiment : experiments()) {
-    for (const ClaimHead& head : experiment.heads()) width = std::max(width, display_width(head.id));
+constexpr std::size_t page_width = 100;
+
+void print_schemes() {
+  for (const Family& family : catalogue()) {
+    std::cout << family.name;
+    for (const std::string& alias : family.aliases) std::cout << " (also " << alias << ")";
+    std::cout << ": " << family.summary << "\n  " << usage(family) << "\n";
+    for (const FamilyForm& form : family.forms) {
+      for (const Parameter& parameter : form.parameters) {
+        std::cout << "    " << padded(parameter.name, 8) << parameter.range() << ": " << parameter.meaning
+                  << "\n";
+      }
+    }
+    std::cout << "  " << family.source << "\n";
   }
+}
+
+Json parameters_json(const FamilyForm& form) {
+  Json list = Json::array();
+  for (const Parameter& parameter : form.parameters) {
+    list.push_back({{"name", parameter.name},
+                    {"meaning", parameter.meaning},
+                    {"range", parameter.range()},
+                    {"default", parameter.is_required() ? Json(nullptr) : Json(parameter.default_value)}});
+  }
+  return list;
+}
+
+Json schemes_json() {
+  Json list = Json::array();
+  for (const Family& family : catalogue()) {
+    Json forms = Json::array();
+    for (const FamilyForm& form : family.forms) forms.push_back({{"parameters", parameters_json(form)}});
+    list.push_back({{"name", family.name},
+                    {"aliases", family.aliases},
+                    {"summary", family.summary},
+                    {"source", family.source},
+                    {"forms", std::move(forms)}});
+  }
+  return list;
+}
+
+void print_claims() {
+  std::size_t id_width = 0;
+  for (const Experiment& experiment : experiments()) {
+    for (const ClaimHead& head : experiment.heads()) id_width = std::max(id_width, display_width(head.id));
+  }
+  constexpr std::size_t kind_width = 18;
+  constexpr std::size_t least = 20;
+  const std::size_t used = 2 + id_width + 2 + kind_width;
+  const std::size_t left = used + least < page_width ? page_width - used : least;
   for (const Experiment& experiment : experiments()) {
     std::cout << experiment.title << "\n";
     for (const ClaimHead& head : experiment.heads()) {
-      std::cout << "  " << padded(head.id, width + 2) << padded(to_string(head.kind), 18)
-                << clipped(head.printed.value_or("(finding) " + head.definition), 100 - width - 22) << "\n";
+      std::cout << "  " << padded(head.id, id_width + 2) << padded(to_string(head.kind), kind_width)
+                << clipped(head.printed.value_or("(finding) " + head.definition), left) << "\n";
     }
   }
 }
@@ -41,14 +90,57 @@ Json claims_json() {
   return list;
 }
 
+void print_objectives() {
+  for (const ObjectiveDescription& objective : objectives()) {
+    std::cout << objective.name << ": " << objective.description << "\n  norms: " << objective.norms << "\n";
+    for (const ObjectiveOption& option : objective.options) {
+      std::cout << "  " << padded(option.name, 12) << option.description << "\n";
+    }
+    std::cout << "  example: " << objective.example << "\n";
+  }
+}
+
+Json objectives_json() {
+  Json list = Json::array();
+  for (const ObjectiveDescription& objective : objectives()) {
+    Json options = Json::array();
+    for (const ObjectiveOption& option : objective.options) {
+      options.push_back({{"name", option.name}, {"description", option.description}});
+    }
+    list.push_back({{"name", objective.name},
+                    {"description", objective.description},
+                    {"norms", objective.norms},
+                    {"options", std::move(options)},
+                    {"example", objective.example}});
+  }
+  return list;
+}
+
+struct Section {
+  const char* name;
+  void (*print)();
+  Json (*json)();
+};
+
 }  // namespace
 
 int list(const ListOptions& options) {
-  if (options.json) {
-    std::cout << Json{{"claims", claims_json()}}.dump(2) << "\n";
-  } else {
-    print_claims();
+  constexpr Section sections[] = {{"schemes", print_schemes, schemes_json},
+                                  {"claims", print_claims, claims_json},
+                                  {"objectives", print_objectives, objectives_json}};
+  Json all = Json::object();
+  bool first = true;
+  for (const Section& section : sections) {
+    if (!options.what.empty() && options.what != section.name) continue;
+    if (options.json) {
+      all[section.name] = section.json();
+      continue;
+    }
+    if (options.what.empty()) std::cout << (first ? "" : "\n") << "== " << section.name << "\n";
+    section.print();
+    first = false;
   }
+  if (options.json) std::cout << all.dump(2) << "\n";
   return ExitCode::done;
 }
 

@@ -36,6 +36,16 @@ struct AnalyzeOptions {
 /// Prints everything that can be said of a scheme.
 [[nodiscard]] int analyze(const AnalyzeOptions& options);
 
+struct OptimizeOptions {
+  std::string scheme;
+  std::string over;       // "r=-2..2,s=0..1"
+  std::string objective;  // "vertex", "fit-bspline:degree=2"
+  std::string norm;       // l1, l2 or linf
+  bool json = false;
+};
+/// Minimises a named objective over a box of the scheme's free parameters, with proof.
+[[nodiscard]] int optimize(const OptimizeOptions& options);
+
 struct ListOptions {
   std::string what;  // schemes, claims, objectives, or empty for all three
   bool json = false;

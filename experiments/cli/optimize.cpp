@@ -1,0 +1,193 @@
+#include <algorithm>
+#include <iostream>
+#include <stdexcept>
+
+#include <nlohmann/json.hpp>
+
+#include "experiments/cli/verbs.h"
+#include "experiments/report/record.h"
+#include "experiments/report/utf8.h"
+#include "optimize/objectives.h"
+#include "schemes/expression.h"
+#include "schemes/input_error.h"
+#include "schemes/instantiate.h"
+#include "schemes/text.h"
+
+namespace subdiv::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Norm parse_norm(const std::string& name) {
+  for (const Norm norm : {Norm::l1, Norm::l2, Norm::linf}) {
+    if (to_string(norm) == name) return norm;
+  }
+  throw InputError("--norm: " + in_quotes(name) + " is no norm; expected l1, l2 or linf");
+}
+
+Rational parse_end(std::string_view text, const std::string& place) {
+  try {
+    return evaluate_constant<Rational>(Expression::parse(text));
+  } catch (const InputError& error) {
+    throw InputError(place + error.what());
+  }
+}
+
+struct NamedRange {
+  std::string name;
+  Range range;
+};
+
+/// One piece "s=LO..HI" of --over.
+NamedRange parse_range(std::string_view text) {
+  const std::string place = "--over " + in_quotes(text) + ": ";
+  const std::size_t equals = text.find('=');
+  const std::size_t dots = text.find("..", equals == std::string_view::npos ? 0 : equals);
+  if (equals == std::string_view::npos || dots == std::string_view::npos) {
+    throw InputError(place + "expected parameter=LO..HI, such as s=-1.7..5.8");
+  }
+  const Range range{parse_end(trimmed(text.substr(equals + 1, dots - equals - 1)), place),
+                    parse_end(trimmed(text.substr(dots + 2)), place)};
+  if (range.lower >= range.upper) throw InputError(place + "the lower end must be below the upper end");
+  return {std::string(trimmed(text.substr(0, equals))), range};
+}
+
+/// The ranges in the order of the scheme's free parameters, each given exactly once.
+std::vector<Range> parse_over(std::string_view text, const std::vector<std::string>& free_parameters) {
+  if (free_parameters.empty()) {
+    throw InputError(
+        "the scheme has no free parameter to optimise over; give a parameter a name as its value, such as "
+        "jspline:s=s");
+  }
+  std::vector<NamedRange> given;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    given.push_back(parse_range(trimmed(text.substr(begin, end - begin))));
+    begin = end + 1;
+  }
+  std::vector<Range> box;
+  for (const std::string& name : free_parameters) {
+    const auto is_it = [&](const NamedRange& range) { return range.name == name; };
+    const auto count = std::count_if(given.begin(), given.end(), is_it);
+    if (count == 0)
+      throw InputError("--over: the free parameter " + in_quotes(name) + " has no range; add " + name +
+                       "=LO..HI");
+    if (count > 1) throw InputError("--over: " + in_quotes(name) + " has two ranges; give one");
+    box.push_back(std::find_if(given.begin(), given.end(), is_it)->range);
+  }
+  for (const NamedRange& range : given) {
+    if (std::find(free_parameters.begin(), free_parameters.end(), range.name) != free_parameters.end())
+      continue;
+    throw InputError("--over: " + in_quotes(range.name) + " is no free parameter of the scheme; it has " +
+                     joined(free_parameters, "and"));
+  }
+  return box;
+}
+
+ClaimRecord as_record(const Enclosure& value) {
+  return to_record(settle({"value", "", "", std::nullopt, ClaimKind::exact, ""}, value));
+}
+
+Json to_json(const Enclosure& value) {
+  const ClaimRecord record = as_record(value);
+  Json json = Json::object();
+  if (record.exact) json["exact"] = *record.exact;
+  json["lower"] = *record.lower;
+  json["upper"] = *record.upper;
+  json["rigour"] = record.rigour;
+  return json;
+}
+
+Json summary_json(const OptimizeOptions& options, const Objective& objective, const Problem& question,
+                  const Summary& summary) {
+  Json over = Json::array();
+  Json minimiser = Json::array();
+  for (std::size_t i = 0; i < question.names.size(); ++i) {
+    over.push_back({{"parameter", question.names[i]},
+                    {"lower", question.box[i].lower.to_string()},
+                    {"upper", question.box[i].upper.to_string()}});
+    if (i >= summary.minimiser.size()) continue;
+    Json value = {{"parameter", question.names[i]}};
+    value.update(to_json(summary.minimiser[i]));
+    minimiser.push_back(std::move(value));
+  }
+  return {{"scheme", options.scheme},
+          {"objective", to_string(objective)},
+          {"norm", options.norm},
+          {"over", std::move(over)},
+          {"minimiser", std::move(minimiser)},
+          {"minimum", summary.minimiser.empty() ? Json(nullptr) : to_json(summary.minimum)},
+          {"termination", to_string(summary.termination)},
+          {"method", summary.method},
+          {"boxes", summary.boxes},
+          {"message", summary.message}};
+}
+
+void print_line(const std::string& name, const std::string& value) {
+  constexpr std::size_t name_width = 16;
+  std::cout << padded(name, name_width) << value << "\n";
+}
+
+std::string value_line(const Enclosure& value) {
+  constexpr std::size_t width = 60;
+  return value_text(as_record(value), width) + "  (" + to_string(value.rigour) + ")";
+}
+
+void print(const OptimizeOptions& options, const Objective& objective, const Problem& question,
+           const Summary& summary) {
+  print_line("scheme", options.scheme);
+  print_line("objective", to_string(objective) + ", norm " + options.norm);
+  for (std::size_t i = 0; i < question.names.size(); ++i) {
+    print_line("over", question.names[i] + " in [" + question.box[i].lower.to_string() + ", " +
+                           question.box[i].upper.to_string() + "]");
+  }
+  for (std::size_t i = 0; i < summary.minimiser.size(); ++i) {
+    print_line("minimiser", question.names[i] + " = " + value_line(summary.minimiser[i]));
+  }
+  if (!summary.minimiser.empty()) {
+    print_line(question.norm == Norm::l2 ? "sum of squares" : "minimum", value_line(summary.minimum));
+  }
+  print_line("termination", to_string(summary.termination));
+  if (!summary.method.empty()) print_line("method", summary.method);
+  if (!summary.message.empty()) print_line("", summary.message);
+}
+
+int exit_code(const Summary& summary) {
+  switch (summary.termination) {
+    case Termination::proved:
+    case Termination::not_unique:
+      return ExitCode::done;
+    case Termination::pole_in_box:
+      return ExitCode::bad_input;
+    case Termination::out_of_boxes:
+    case Termination::not_isolated:
+    case Termination::no_local_minimum:
+      break;
+  }
+  return ExitCode::undecided;
+}
+
+}  // namespace
+
+int optimize(const OptimizeOptions& options) {
+  const SchemeDescription description = parse_scheme(options.scheme);
+  const Objective objective = parse_objective(options.objective);
+  const Problem question{.residuals = {},
+                         .norm = parse_norm(options.norm),
+                         .box = parse_over(options.over, description.free_parameters),
+                         .names = description.free_parameters};
+  const Summary summary =
+      minimise(symbolic_scheme(description), objective, question.norm, question.box, question.names);
+  if (options.json) {
+    std::cout << summary_json(options, objective, question, summary).dump(2) << "\n";
+  } else {
+    print(options, objective, question, summary);
+  }
+  if (summary.termination == Termination::pole_in_box) {
+    std::cerr << "subdivlab: --over " << options.over
+              << ": division by zero within the box; choose one without it\n";
+  }
+  return exit_code(summary);
+}
+
+}  // namespace subdiv::cli
