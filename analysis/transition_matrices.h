@@ -1,0 +1,91 @@
+#pragma once
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "analysis/iterate_norm.h"
+#include "schemes/algebra/interval.h"
+#include "schemes/algebra/laurent.h"
+#include "schemes/algebra/matrix.h"
+#include "schemes/mask.h"
+
+namespace subdiv {
+
+/// The symbol of arity m in the form
+///
+///   a(z) = m z^shift (sigma(z) / m)^factors b(z),   sigma(z) = 1 + z + .. + z^(m-1),
+///   b(z) = b_0 + .. + b_N z^N,   b(1) = 1.
+///
+/// The growth of the iterates b(z) b(z^m) .. b(z^(m^(k-1))) decides the smoothness of the scheme. Over an
+/// exact ring the number of factors is maximal and b_0, b_N are not zero.
+template <class R>
+struct NormalForm {
+  int arity = 2;
+  int factors = 0;
+  int shift = 0;
+  Laurent<R> b;
+
+  [[nodiscard]] int degree() const { return b.size() - 1; }
+};
+
+/// From a(z) = sigma(z)^factors cofactor(z). Over an exact ring further factors are divided out, and
+/// std::domain_error is thrown when the cofactor is zero or a(1) is not m; over intervals when that is
+/// certain.
+template <class R>
+NormalForm<R> normal_form(int arity, int factors, Laurent<R> cofactor) {
+  if (cofactor.is_zero()) throw std::domain_error("the symbol is zero");
+  if constexpr (ExactRing<R>) {
+    auto [more, rest] = divide_out(std::move(cofactor), smoothing_factor<R>(arity));
+    factors += more;
+    cofactor = std::move(rest);
+  }
+  R scale = fraction<R>(1, arity);
+  for (int i = 0; i < factors; ++i) scale = scale * R(arity);
+  const int lowest = cofactor.first();
+  Laurent<R> b = scale * shift(cofactor, -lowest);
+  const R total = sum(b);
+  if constexpr (ExactRing<R>) {
+    if (!(total == R(1)))
+      throw std::domain_error("the coefficients of the symbol do not add up to its arity");
+  } else if constexpr (std::is_same_v<R, Interval>) {
+    if (!total.contains(Rational(1))) {
+      throw std::domain_error("the coefficients of the symbol do not add up to its arity");
+    }
+  }
+  return {arity, factors, lowest, std::move(b)};
+}
+
+template <ExactRing R>
+NormalForm<R> normal_form(const Mask<R>& mask) {
+  return normal_form(mask.arity, 0, mask.symbol);
+}
+
+/// For coefficients known only as intervals, of which the first `factors` sum rules are assumed: enclosures
+/// of b for all masks within the intervals that obey them. Throws std::domain_error when no mask does.
+[[nodiscard]] NormalForm<Interval> normal_form(const Mask<Interval>& mask, int factors);
+
+/// The same form with enclosures of the coefficients.
+template <ExactRing R>
+NormalForm<Interval> enclose(const NormalForm<R>& form, long precision = Interval::default_precision) {
+  const auto ball = [&](const R& x) {
+    if constexpr (std::is_same_v<R, Rational>) {
+      return Interval(x, precision);
+    } else {
+      return x.to_interval(precision);
+    }
+  };
+  return {form.arity, form.factors, form.shift, map_coefficients(form.b, ball)};
+}
+
+/// T_0 .. T_{m-1}, L x L with L = max(1, ceil(N / (m-1))): (T_r)_{ij} = b_{r + m i - j}. The coefficients of
+/// the k-th iterate of b in one residue class modulo m^k are those of T_{e_k} .. T_{e_1} (1, 0, .., 0)
+/// (iterate_norm.h).
+template <class R>
+std::vector<Matrix<R>> transition_matrices(const NormalForm<R>& form) {
+  return class_matrices(form.b, form.arity);
+}
+
+}  // namespace subdiv
