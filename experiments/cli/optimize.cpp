@@ -153,18 +153,9 @@ void print(const OptimizeOptions& options, const Objective& objective, const Pro
 }
 
 int exit_code(const Summary& summary) {
-  switch (summary.termination) {
-    case Termination::proved:
-    case Termination::not_unique:
-      return ExitCode::done;
-    case Termination::pole_in_box:
-      return ExitCode::bad_input;
-    case Termination::out_of_boxes:
-    case Termination::not_isolated:
-    case Termination::no_local_minimum:
-      break;
-  }
-  return ExitCode::undecided;
+  const bool decided =
+      summary.termination == Termination::proved || summary.termination == Termination::not_unique;
+  return decided ? ExitCode::done : ExitCode::undecided;
 }
 
 }  // namespace
@@ -178,14 +169,14 @@ int optimize(const OptimizeOptions& options) {
                          .names = description.free_parameters};
   const Summary summary =
       minimise(symbolic_scheme(description), objective, question.norm, question.box, question.names);
+  if (summary.termination == Termination::pole_in_box) {
+    throw InputError("--over " + options.over +
+                     ": division by zero, the objective has a pole in the box; choose one without it");
+  }
   if (options.json) {
     std::cout << summary_json(options, objective, question, summary).dump(2) << "\n";
   } else {
     print(options, objective, question, summary);
-  }
-  if (summary.termination == Termination::pole_in_box) {
-    std::cerr << "subdivlab: --over " << options.over
-              << ": division by zero within the box; choose one without it\n";
   }
   return exit_code(summary);
 }
