@@ -1,5 +1,6 @@
 #include <array>
 
+#include "experiments/area.h"
 #include "experiments/basis_fit.h"
 #include "experiments/experiment.h"
 #include "experiments/family.h"
@@ -21,6 +22,7 @@ std::span<const Experiment> experiments() {
                  limit_mask_heads, run_limit_masks},
       Experiment{"interpolation", "Vertex and mid-edge interpolation (js-report 5, 6, 7; jsplines 5, 6, 7)",
                  interpolation_heads, run_interpolation},
+      Experiment{"area", "Area preservation (js-report 8, jsplines 8)", area_heads, run_area},
       Experiment{"popping", "Popping reduction (jsplines 11)", popping_heads, run_popping},
   };
   return all;

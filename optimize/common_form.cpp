@@ -14,10 +14,13 @@ Polynomial quotient(const Polynomial& a, const Polynomial& b) {
   return result;
 }
 
+/// Leading coefficient 1: keeps integer factors from piling up.
+Polynomial monic(const Polynomial& p) { return p * Polynomial(Rational(1) / p.terms().front().coefficient); }
+
 Polynomial common_denominator(const std::vector<RationalFunction>& functions) {
   Polynomial result(1);
   for (const RationalFunction& f : functions) {
-    const Polynomial below = f.denominator();
+    const Polynomial below = monic(f.denominator());
     result *= quotient(below, gcd(below, result));
   }
   return result;

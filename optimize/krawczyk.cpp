@@ -157,6 +157,33 @@ std::optional<IsolatedZero> isolate_zero(const SquareSystem& system, const Vecto
   return std::nullopt;
 }
 
+std::optional<Vector<Interval>> inverse_bounds(const SquareSystem& system, const Vector<Interval>& box) {
+  // f(x) - f(x') = J (x - x') with J in f'(X), row by row. d = C (f(x) - f(x')) + (I - C J) d.
+  const Eigen::Index n = box.size();
+  const Matrix<Interval> slopes = system.jacobian(box);
+  const auto c = approximate_inverse(slopes);
+  if (!c) return std::nullopt;
+  Vector<Interval> direct(n);
+  Vector<Interval> remainder(n);
+  Interval largest_direct(0);
+  Interval largest_remainder(0);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    for (Eigen::Index j = 0; j < n; ++j) {
+      Interval entry(i == j ? 1 : 0);
+      for (Eigen::Index k = 0; k < n; ++k) entry -= (*c)(i, k) * slopes(k, j);
+      remainder(i) += abs(entry);
+      direct(i) += abs((*c)(i, j));
+    }
+    largest_direct = max(largest_direct, direct(i));
+    largest_remainder = max(largest_remainder, remainder(i));
+  }
+  if (!largest_remainder.is_finite() || !certainly_less(largest_remainder, Interval(1))) return std::nullopt;
+  const Interval largest = largest_direct / (Interval(1) - largest_remainder);
+  Vector<Interval> result(n);
+  for (Eigen::Index i = 0; i < n; ++i) result(i) = direct(i) + remainder(i) * largest;
+  return result;
+}
+
 Rational largest_width(const Vector<Interval>& box) {
   Rational width;
   for (Eigen::Index i = 0; i < box.size(); ++i) width = std::max(width, box(i).upper() - box(i).lower());

@@ -38,6 +38,12 @@ struct IsolatedZero {
 [[nodiscard]] std::optional<IsolatedZero> isolate_zero(const SquareSystem& system,
                                                        const Vector<Interval>& near);
 
+/// b with |x_j - x'_j| <= b_j max_i |f_i(x) - f_i(x')| for all x, x' in the box: f determines its argument
+/// there. Nothing when C f'(X), C an approximate inverse, is not certainly within 1 of the identity in the
+/// maximum norm.
+[[nodiscard]] std::optional<Vector<Interval>> inverse_bounds(const SquareSystem& system,
+                                                             const Vector<Interval>& box);
+
 /// An approximate inverse: balls without radius. Nothing for a numerically singular matrix.
 [[nodiscard]] std::optional<Matrix<Interval>> approximate_inverse(const Matrix<Interval>& a);
 

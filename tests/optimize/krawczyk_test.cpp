@@ -80,6 +80,31 @@ TEST(Krawczyk, TakesRationalFunctions) {
   EXPECT_TRUE(zero->enclosure(1).contains(Rational(1, 2)));
 }
 
+TEST(Krawczyk, InverseBoundsHoldBetweenAnyTwoPoints) {
+  const std::vector<F> f = circle_and_hyperbola();
+  Vector<Interval> box(2);
+  box(0) = Interval::hull(Rational(19, 10), Rational(2));
+  box(1) = Interval::hull(Rational(1, 2), Rational(6, 10));
+  const auto bounds = inverse_bounds(square_system(f, 128), box);
+  ASSERT_TRUE(bounds);
+  for (int i = 0; i < 100; ++i) {
+    const std::vector<Rational> p{Rational(1900 + (i * 37) % 101, 1000),
+                                  Rational(500 + (i * 53) % 101, 1000)};
+    const std::vector<Rational> q{Rational(1900 + (i * 71) % 101, 1000),
+                                  Rational(500 + (i * 29) % 101, 1000)};
+    Rational difference;
+    for (const F& c : f) {
+      difference = std::max(difference, abs(c.evaluate<Rational>(p) - c.evaluate<Rational>(q)));
+    }
+    for (std::size_t j = 0; j < 2; ++j) {
+      EXPECT_LE(abs(p[j] - q[j]), (*bounds)(static_cast<Eigen::Index>(j)).upper() * difference);
+    }
+  }
+  // On a box where the Jacobian can be singular there is no bound.
+  box(1) = Interval::hull(Rational(1), Rational(3));
+  EXPECT_FALSE(inverse_bounds(square_system(f, 128), box));
+}
+
 TEST(Krawczyk, ApproximateInverseRefusesSingularMatrices) {
   Matrix<Interval> a(2, 2);
   a(0, 0) = a(0, 1) = a(1, 0) = a(1, 1) = Interval(Rational(1));
