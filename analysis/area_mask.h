@@ -21,19 +21,26 @@ Laurent<R> polygon_area_mask() {
   return Laurent<R>(-1, {fraction<R>(-1, 2), R(0), fraction<R>(1, 2)});
 }
 
-/// 1/2 sum of m_k P_i x P_{i+k} over a closed polygon (indices modulo its size): the area that the mask
-/// assigns to it.
+/// A_k = sum of P_i x P_{i+k} over a closed polygon of n points (indices modulo n), twice the signed area for
+/// k = 1. The areas of all limit curves depend on the polygon through these numbers alone. A_{n+k} = A_k,
+/// A_{-k} = -A_k.
 template <class R>
-R area(const Laurent<R>& mask, std::span<const std::pair<R, R>> polygon) {
+R cross_sum(std::span<const std::pair<R, R>> polygon, int k) {
   const int n = static_cast<int>(polygon.size());
   R total(0);
   for (int i = 0; i < n; ++i) {
-    for (int k = mask.first(); k <= mask.last(); ++k) {
-      const auto& p = polygon[static_cast<std::size_t>(i)];
-      const auto& q = polygon[static_cast<std::size_t>(residue(i + k, n))];
-      total = total + mask[k] * (p.first * q.second - p.second * q.first);
-    }
+    const auto& p = polygon[static_cast<std::size_t>(i)];
+    const auto& q = polygon[static_cast<std::size_t>(residue(i + k, n))];
+    total = total + (p.first * q.second - p.second * q.first);
   }
+  return total;
+}
+
+/// 1/2 sum of m_k A_k: the area that the mask assigns to a closed polygon.
+template <class R>
+R area(const Laurent<R>& mask, std::span<const std::pair<R, R>> polygon) {
+  R total(0);
+  for (int k = mask.first(); k <= mask.last(); ++k) total = total + mask[k] * cross_sum(polygon, k);
   return total * fraction<R>(1, 2);
 }
 
