@@ -38,6 +38,7 @@ TEST(SymbolExpression, IsALaurentPolynomialIndexedByThePowerOfZ) {
   EXPECT_EQ(symbol("-(1-z)^2*z^(-5)"), P(-5, {-1, 2, -1}));
   EXPECT_EQ(symbol("(1/z+2)/z"), P(-2, {1, 2}));
   EXPECT_EQ(symbol("-(-z)^3"), P::monomial(3));
+  EXPECT_EQ(symbol("(-z)^2*(-(1+z))"), P(2, {-1, -1}));
   EXPECT_TRUE(symbol("z-z").is_zero());
   EXPECT_EQ(symbol("7"), P(7));
 }
