@@ -105,37 +105,48 @@ std::optional<int> only_parameter(const Mask<RationalFunction>& mask) {
   return found;
 }
 
-/// A value inside the set to start a search from: the simplest one of its first part of positive length.
-std::optional<Rational> interior_value(const RealSet& set) {
+/// Values inside the set to start searches from: seven in each part of finite length, those in the middle
+/// first.
+std::vector<Rational> interior_values(const RealSet& set) {
+  constexpr int eighths[] = {4, 2, 6, 1, 3, 5, 7};
+  std::vector<Rational> values;
   for (const RealInterval& part : set.parts) {
-    if (part.is_point()) continue;
-    if (part.lower && part.upper) return rational_between(*part.lower, *part.upper);
+    if (part.is_point() || !part.lower || !part.upper) continue;
+    const Rational lower = part.lower->to_interval().midpoint();
+    const Rational length = part.upper->to_interval().midpoint() - lower;
+    for (const int i : eighths) {
+      const Rational centre = lower + length * Rational(i, 8);
+      values.push_back(simplest_between(centre - length / Rational(64), centre + length / Rational(64)));
+    }
   }
-  return std::nullopt;
+  return values;
 }
 
-/// The certified interval of the parameter x_0, for the largest power tried.
+/// The certified interval of the parameter x_0, for the largest power tried: the proof reaches to the inner
+/// sides of the ends' enclosures.
+ContinuityText range_certificate(int order, const NormRange& range) {
+  const Rational& low = range.lower.value.upper;
+  const Rational& high = range.upper.value.lower;
+  const DecimalEnds interval{decimal_ends(low, low, Rigour::exact).upper,
+                             decimal_ends(high, high, Rigour::exact).lower};
+  return {
+      .order = order, .set = "", .interval = interval, .norm = {}, .exact_norm = "", .power = range.power};
+}
+
 std::optional<ContinuityText> certified_range(const Mask<RationalFunction>& mask, int order,
                                               const RealSet& necessary) {
-  const auto interior = interior_value(necessary);
-  if (!interior) return std::nullopt;
   constexpr int most_power = 8;
   try {
-    NormRangeOptions options;
-    options.interior = *interior;
-    options.max_power = most_power;
-    const auto ranges = iterate_norm_ranges(difference_family(mask, order), options);
-    if (ranges.empty()) return std::nullopt;
-    const NormRange& best = ranges.back();
-    // The proof reaches to the inner sides of the ends' enclosures.
-    const Rational& low = best.lower.value.upper;
-    const Rational& high = best.upper.value.lower;
-    const DecimalEnds interval{decimal_ends(low, low, Rigour::exact).upper,
-                               decimal_ends(high, high, Rigour::exact).lower};
-    return ContinuityText{
-        .order = order, .set = "", .interval = interval, .norm = {}, .exact_norm = "", .power = best.power};
-  } catch (
-      const std::domain_error&) {  // no polynomial coefficients, or the sum rules do not hold for all values
+    const DifferenceFamily family = difference_family(mask, order);
+    for (const Rational& interior : interior_values(necessary)) {
+      NormRangeOptions options;
+      options.interior = interior;
+      options.max_power = most_power;
+      const auto ranges = iterate_norm_ranges(family, options);
+      if (!ranges.empty()) return range_certificate(order, ranges.back());
+    }
+    return std::nullopt;
+  } catch (const std::domain_error&) {  // no polynomials, or sum rules that fail for some values
     return std::nullopt;
   }
 }

@@ -43,14 +43,13 @@ std::size_t column_named(const Series& series, const std::string& name) {
   return static_cast<std::size_t>(found - series.columns.begin());
 }
 
-const std::string& checked_cell(const Series& series, const std::string& cell) {
+void require_decimal(const Series& series, const std::string& cell) {
   try {
     if (cell.find('/') != std::string::npos) throw std::invalid_argument("'" + cell + "' is a fraction");
     (void)Rational::parse(cell);
   } catch (const std::invalid_argument& error) {
     throw std::logic_error("series '" + series.name + "': " + error.what() + "; figures need decimals");
   }
-  return cell;
 }
 
 std::string data_block(const Series& series, const Curve& curve, std::size_t index) {
@@ -59,7 +58,9 @@ std::string data_block(const Series& series, const Curve& curve, std::size_t ind
   std::string text = "$data" + std::to_string(index) + " << end_of_data\n";
   for (const auto& row : series.rows) {
     if (!row.at(x).empty() && !row.at(y).empty()) {
-      text += checked_cell(series, row[x]) + " " + checked_cell(series, row[y]);
+      require_decimal(series, row[x]);
+      require_decimal(series, row[y]);
+      text += row[x] + " " + row[y];
     }
     text += '\n';
   }
@@ -141,6 +142,7 @@ std::string figure_script(const Figure& figure, std::span<const Series> series) 
       "set encoding utf8\n"
       "set terminal svg size 800,500 fixed font 'Helvetica,14' noenhanced background '#ffffff' name "
       "'subdivlab'\n"
+      "set border 3\nset tics nomirror\n"
       "set grid lc rgb '#dddddd'\n"
       "set key top right\n"
       "set title " +
