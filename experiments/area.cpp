@@ -73,7 +73,7 @@ void add_one_parameter(Results& results) {
                              "largest |m_k - l_k|",
                              {{"area-objective-s", "s", "largest difference", "*J_s"},
                               {"area-optimum-s", "s", "largest difference", "optimum", "points pt 7 ps 1.2"}},
-                             "set logscale y\nset format y '10^{%L}'"});
+                             "set logscale y; set format y '%.0e'"});
 }
 
 /// Over r for fixed s: the floor of the valley in which the optimum of {J_r, *J_s} lies.
@@ -139,7 +139,7 @@ void add_two_parameters(Results& results) {
        "largest |m_k - l_k|",
        {{"area-rs-valley", "s", "largest difference", "{J_r, *J_s}, best r"},
         {"area-rs-points", "s", "largest difference", "optimum; printed pairs", "points pt 7 ps 1.2"}},
-       "set logscale y\nset format y '10^{%L}'"});
+       "set logscale y; set format y '%.0e'"});
 }
 
 /// The masks of the recommended schemes beside the polygon's.

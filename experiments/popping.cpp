@@ -141,7 +141,7 @@ void add_figures(Results& results, const std::vector<PoppingLevel>& schedule, co
                              "level k",
                              "disparity",
                              {{"popping-schedule", "level", "disparity", "", "linespoints pt 7 ps 0.6"}},
-                             "set logscale y; set format y '10^{%T}'"});
+                             "set logscale y; set format y '%.0e'"});
 }
 
 }  // namespace

@@ -87,11 +87,13 @@ std::vector<double> descend_epigraph(const Problem& problem, std::span<const Com
   solver.set_xtol_rel(1e-14);
   solver.set_maxeval(300);
   double reached = 0;
+  bool stopped_early = false;
   try {
     solver.optimize(start, reached);
   } catch (const std::runtime_error&) {
-    // `start` holds the best point so far; it is compared with x below.
+    stopped_early = true;  // `start` holds the best point so far; it is compared with x below
   }
+  if (stopped_early && !std::isfinite(start.front())) return x;
   std::vector<double> end(start.begin(), start.begin() + static_cast<std::ptrdiff_t>(x.size()));
   for (std::size_t j = 0; j < end.size(); ++j) end[j] = std::clamp(end[j], low[j], high[j]);
   return objective_at(problem.norm, residuals, end) < objective_at(problem.norm, residuals, x) ? end : x;

@@ -198,7 +198,7 @@ SecondOrder TaylorFunction::over(std::span<const Interval> box) const {
   const std::vector<Interval> centre = centre_of(box);
   const std::vector<Interval> radius = radius_of(box);
   const TaylorForm above_form = numerator_.shifted(centre);
-  const SecondOrder above = ranges(above_form, radius);
+  SecondOrder above = ranges(above_form, radius);
   if (!has_denominator_) return above;
   const TaylorForm below_form = denominator_.shifted(centre);
   const SecondOrder below = ranges(below_form, radius);

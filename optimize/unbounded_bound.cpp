@@ -96,7 +96,7 @@ std::optional<Eigen::VectorXd> dominating_solution(const Eigen::MatrixXd& w, std
   if (!z.allFinite()) return std::nullopt;
   // Strictly above the solution, in every component.
   constexpr double smallest = 1e-30;
-  const Eigen::VectorXd raised =
+  Eigen::VectorXd raised =
       system.partialPivLu().solve(right + 8 * margin * (z.cwiseAbs().array() + smallest).matrix());
   if (!raised.allFinite() || raised.minCoeff() <= 0) return std::nullopt;
   const Eigen::VectorXd left = rounding_up * (w * raised + right);

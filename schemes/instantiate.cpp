@@ -129,7 +129,7 @@ ExactScheme exact_scheme(const SchemeDescription& scheme) {
   try {
     return instantiate<Rational>(scheme);
   } catch (const OutsideRingError&) {
-    const Scheme<Algebraic> algebraic = instantiate<Algebraic>(scheme);
+    Scheme<Algebraic> algebraic = instantiate<Algebraic>(scheme);
     if (!holds_rationals_only(algebraic)) return algebraic;
     return map_coefficients(algebraic, [](const Algebraic& x) { return x.to_rational(); });
   }

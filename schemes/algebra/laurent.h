@@ -96,8 +96,9 @@ Laurent<R> shift(const Laurent<R>& p, int k) {
 template <class R>
 Laurent<R> upsample(const Laurent<R>& p, int m) {
   if (p.is_zero()) return p;
-  std::vector<R> result(static_cast<std::size_t>((p.size() - 1) * m + 1), R(0));
-  for (int i = 0; i < p.size(); ++i) result[static_cast<std::size_t>(i * m)] = p[p.first() + i];
+  const auto spacing = static_cast<std::size_t>(m);
+  std::vector<R> result((p.coefficients().size() - 1) * spacing + 1, R(0));
+  for (std::size_t i = 0; i < p.coefficients().size(); ++i) result[i * spacing] = p.coefficients()[i];
   return Laurent<R>(p.first() * m, std::move(result));
 }
 
