@@ -114,7 +114,7 @@ bool search_with_kinks(const Problem& problem, const std::vector<CompiledResidua
   try {
     solver.optimize(x, reached);
   } catch (const nlopt::roundoff_limited&) {
-    // x holds the best point so far
+    reached = value(x);  // x holds the best point so far
   } catch (const std::runtime_error&) {
     return false;
   }
