@@ -31,17 +31,28 @@ struct NormalForm {
   [[nodiscard]] int degree() const { return b.size() - 1; }
 };
 
-/// From a(z) = sigma(z)^factors cofactor(z). Over an exact ring further factors are divided out, and
-/// std::domain_error is thrown when the cofactor is zero or a(1) is not m; over intervals when that is
+namespace detail {
+
+/// The smoothing factors still in a symbol, and what is left: all of them over an exact ring, none elsewhere.
+template <class R>
+std::pair<int, Laurent<R>> strip_factors(int arity, const Laurent<R>& symbol) {
+  if constexpr (ExactRing<R>) {
+    return divide_out(symbol, smoothing_factor<R>(arity));
+  } else {
+    return {0, symbol};
+  }
+}
+
+}  // namespace detail
+
+/// From a(z) = sigma(z)^factors written(z). Over an exact ring further factors are divided out, and
+/// std::domain_error is thrown when `written` is zero or a(1) is not m; over intervals when that is
 /// certain.
 template <class R>
-NormalForm<R> normal_form(int arity, int factors, Laurent<R> cofactor) {
-  if (cofactor.is_zero()) throw std::domain_error("the symbol is zero");
-  if constexpr (ExactRing<R>) {
-    auto [more, rest] = divide_out(std::move(cofactor), smoothing_factor<R>(arity));
-    factors += more;
-    cofactor = std::move(rest);
-  }
+NormalForm<R> normal_form(int arity, int factors, const Laurent<R>& written) {
+  if (written.is_zero()) throw std::domain_error("the symbol is zero");
+  const auto [more, cofactor] = detail::strip_factors(arity, written);
+  factors += more;
   R scale = fraction<R>(1, arity);
   for (int i = 0; i < factors; ++i) scale = scale * R(arity);
   const int lowest = cofactor.first();
