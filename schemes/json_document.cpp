@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
+#include <memory>
 
 #include <nlohmann/json.hpp>
 
@@ -153,8 +154,8 @@ const JsonValue* JsonValue::find(std::string_view name) const {
 JsonValue parse_json(std::string_view text, const std::string& place) {
   Progress progress;
   Builder builder(text, place, progress);
-  const LineCounter begin(text.data(), &progress);
-  const LineCounter end(text.data() + text.size(), &progress);
+  const LineCounter begin(std::to_address(text.begin()), &progress);
+  const LineCounter end(std::to_address(text.end()), &progress);
   nlohmann::json::sax_parse(begin, end, &builder);
   return builder.take();
 }

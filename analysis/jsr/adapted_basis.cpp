@@ -11,7 +11,7 @@ constexpr double regularisation = 1e-11;
 /// The Cholesky factor of g plus a small multiple of the identity, g scaled to trace n.
 Eigen::MatrixXd factor(const Eigen::MatrixXd& g) {
   const auto n = static_cast<double>(g.rows());
-  const Eigen::MatrixXd unit = Eigen::MatrixXd::Identity(g.rows(), g.rows());
+  Eigen::MatrixXd unit = Eigen::MatrixXd::Identity(g.rows(), g.rows());
   const Eigen::LLT<Eigen::MatrixXd> cholesky(g * (n / g.trace()) + regularisation * unit);
   if (cholesky.info() != Eigen::Success) return unit;
   return cholesky.matrixL();
@@ -21,7 +21,7 @@ Eigen::MatrixXd factor(const Eigen::MatrixXd& g) {
 
 Eigen::MatrixXd adapted_basis(const std::vector<Eigen::MatrixXd>& family, double radius) {
   const Eigen::Index n = family[0].rows();
-  const Eigen::MatrixXd unit = Eigen::MatrixXd::Identity(n, n);
+  Eigen::MatrixXd unit = Eigen::MatrixXd::Identity(n, n);
   if (!(radius > 0)) return unit;
   Eigen::MatrixXd g = unit;
   for (int i = 0; i < iterations; ++i) {

@@ -59,7 +59,7 @@ class Prover {
  public:
   explicit Prover(const std::vector<std::string>& names) : names_(names) {}
 
-  bool prove(std::vector<Polynomial> equations, std::vector<Polynomial> nonzero, int depth);
+  bool prove(std::vector<Polynomial> equations, const std::vector<Polynomial>& nonzero, int depth);
   [[nodiscard]] std::vector<std::string> lines() const { return lines_; }
 
  private:
@@ -186,7 +186,7 @@ std::optional<bool> Prover::eliminate_linear(const std::vector<Polynomial>& equa
     if (!is_excluded && !replaced.is_constant()) add_nonzero(excluded, replaced);
   }
   say(depth, "eliminate " + name + " = -(" + text(d) + ")/(" + text(c) + ")");
-  if (!is_excluded && !prove(std::move(next), std::move(excluded), depth + 1)) return false;
+  if (!is_excluded && !prove(std::move(next), excluded, depth + 1)) return false;
   if (c.is_constant()) return true;
   std::vector<Polynomial> degenerate = equations;
   degenerate[equation] = c;
@@ -214,13 +214,13 @@ bool Prover::project(const std::vector<Polynomial>& equations, const std::vector
     std::vector<Polynomial> kept;
     std::ranges::copy_if(nonzero, std::back_inserter(kept), [&](const Polynomial& p) { return !p.uses(v); });
     say(depth, "project along " + Polynomial::variable(v).to_string(names_) + " by resultants");
-    return prove(std::move(next), std::move(kept), depth + 1);
+    return prove(std::move(next), kept, depth + 1);
   }
   say(depth, "undecided");
   return false;
 }
 
-bool Prover::prove(std::vector<Polynomial> equations, std::vector<Polynomial> nonzero, int depth) {
+bool Prover::prove(std::vector<Polynomial> equations, const std::vector<Polynomial>& nonzero, int depth) {
   constexpr int deepest = 40;
   switch (simplify(equations, nonzero)) {
     case Simplified::contradiction:
@@ -250,7 +250,7 @@ EmptinessProof prove_empty(const ZeroSet& set, const std::vector<std::string>& n
   }
   Prover prover(names);
   EmptinessProof result;
-  result.proved = prover.prove(set.equations, std::move(nonzero), 0);
+  result.proved = prover.prove(set.equations, nonzero, 0);
   result.cases = prover.lines();
   return result;
 }
