@@ -46,7 +46,7 @@ NormalForm<Interval> normal_form(const Mask<Interval>& mask, int factors) {
       throw std::domain_error("the coefficients contradict the assumed sum rules");
     }
   }
-  return normal_form(mask.arity, factors, std::move(cofactor));
+  return normal_form(mask.arity, factors, cofactor);
 }
 
 }  // namespace subdiv
