@@ -59,9 +59,8 @@ void reject_sum(const SchemeDescription& scheme, const StepDescription& step, co
     message += ", more than the rounding of the decimals explains";
   } else if (sums_within_rounding(scheme, step)) {
     message +=
-        ", no more than the rounding of the written decimals; with --rounded each decimal is taken as known "
-        "to "
-        "half a unit of its last digit";
+        ", no more than the rounding of the written decimals; write the coefficients exactly, as fractions "
+        "or with sqrt, or more digits of one of them";
   } else {
     message += "; mend the coefficients or the arity";
   }

@@ -183,7 +183,7 @@ TEST(RoundedMasks, MissTheSumByARoundingErrorUnlessAskedFor) {
         "mask": {"first": 0, "coefficients": [0.683013, 1.183013, 0.316987, "-0.183012"]}})json");
   expect_input_error([&] { return parse_scheme(off); },
                      {"off.json", "sum to 2.000001,", "minus 2 is 0.000001,",
-                      "no more than the rounding of the written decimals", "--rounded"});
+                      "no more than the rounding of the written decimals", "as fractions or with sqrt"});
   const SchemeDescription rounded = parse_scheme(off, {.rounded = true});
   EXPECT_TRUE(rounded.rounded);
   // Too far for rounding: no advice to ask for it, and no pardon.
@@ -193,7 +193,7 @@ TEST(RoundedMasks, MissTheSumByARoundingErrorUnlessAskedFor) {
     static_cast<void>(parse_scheme(wrong));
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_EQ(std::string(error.what()).find("--rounded"), std::string::npos) << error.what();
+    EXPECT_EQ(std::string(error.what()).find("rounding"), std::string::npos) << error.what();
     EXPECT_NE(std::string(error.what()).find("mend the coefficients"), std::string::npos) << error.what();
   }
   const std::string far = folder.write("far.json", R"json({"name": "far", "arity": 2,
