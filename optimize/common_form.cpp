@@ -1,9 +1,11 @@
 #include "optimize/common_form.h"
 
 #include <algorithm>
+#include <map>
 
 #include "optimize/boxes.h"
 #include "optimize/taylor_form.h"
+#include "schemes/algebra/matrix.h"
 
 namespace subdiv {
 namespace {
@@ -76,6 +78,23 @@ CommonForm objective_form(const Problem& problem, const CommonForm& form) {
   result.numerators = {total};
   result.denominator = form.denominator * form.denominator;
   return result;
+}
+
+std::vector<int> spanning_numerators(const CommonForm& form) {
+  std::map<std::vector<long>, Eigen::Index> rows;  // of monomials
+  for (const Polynomial& p : form.numerators) {
+    for (const Polynomial::Term& term : p.terms())
+      rows.emplace(term.exponents, static_cast<Eigen::Index>(rows.size()));
+  }
+  Matrix<Rational> coefficients = zero_matrix<Rational>(static_cast<Eigen::Index>(rows.size()),
+                                                        static_cast<Eigen::Index>(form.numerators.size()));
+  for (std::size_t k = 0; k < form.numerators.size(); ++k) {
+    for (const Polynomial::Term& term : form.numerators[k].terms()) {
+      coefficients(rows.at(term.exponents), static_cast<Eigen::Index>(k)) = term.coefficient;
+    }
+  }
+  const auto pivots = row_reduce(std::move(coefficients)).second;
+  return {pivots.begin(), pivots.end()};
 }
 
 bool is_positive_on(const Polynomial& p, const std::vector<Range>& box, long precision, int max_boxes) {

@@ -27,6 +27,9 @@ struct CommonForm {
 /// weights; linf: as it stands.
 [[nodiscard]] CommonForm objective_form(const Problem& problem, const CommonForm& form);
 
+/// Numerators that are linearly independent over Q and span all others: where these vanish, all do.
+[[nodiscard]] std::vector<int> spanning_numerators(const CommonForm& form);
+
 /// Is the polynomial positive on the whole box? Proved by Taylor forms on at most max_boxes boxes; false
 /// means "not known".
 [[nodiscard]] bool is_positive_on(const Polynomial& p, const std::vector<Range>& box, long precision,

@@ -4,10 +4,8 @@
 #include <cmath>
 #include <numeric>
 
-#include <Eigen/QR>
-
+#include "optimize/common_zero.h"
 #include "optimize/residual_functions.h"
-#include "schemes/algebra/matrix.h"
 
 namespace subdiv {
 namespace {
@@ -105,60 +103,19 @@ class Verifier {
     return result;
   }
 
-  /// All residuals vanish together: n of them, with the best-conditioned gradients, determine the point, and
-  /// the others are linear combinations of these over Q.
+  /// All residuals vanish together: as many of them as there are parameters determine the point and span the
+  /// others.
   [[nodiscard]] std::optional<Guess> common_zero() const {
-    constexpr double zero = 1e-7;
-    const auto n = static_cast<Eigen::Index>(variables());
-    const auto count = static_cast<Eigen::Index>(form_.numerators.size());
-    if (count < n || std::ranges::any_of(values_, [](double v) { return !(std::abs(v) < zero); }))
-      return std::nullopt;
-    Eigen::MatrixXd gradients(n, count);
-    for (Eigen::Index k = 0; k < count; ++k) {
-      for (Eigen::Index j = 0; j < n; ++j) {
-        gradients(j, k) =
-            value(form_.numerators[static_cast<std::size_t>(k)].derivative(static_cast<int>(j)));
-      }
-    }
-    if (!gradients.allFinite()) return std::nullopt;
-    const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(gradients);
+    if (!all_vanish(values_)) return std::nullopt;
+    const std::vector<int> basis = spanning_numerators(form_);
+    if (basis.size() != near_.size()) return std::nullopt;
     Guess result;
     result.is_zero = true;
     result.model.variables = variables();
-    std::vector<int> chosen;
-    for (Eigen::Index i = 0; i < n; ++i)
-      chosen.push_back(static_cast<int>(qr.colsPermutation().indices()(i)));
-    if (!span_all(chosen)) return std::nullopt;
-    for (const int k : chosen) result.model.kinks.push_back({form_.residual(k), KinkKind::absolute});
-    result.active.resize(static_cast<std::size_t>(count));
+    for (const int k : basis) result.model.kinks.push_back({form_.residual(k), KinkKind::absolute});
+    result.active.resize(form_.numerators.size());
     std::iota(result.active.begin(), result.active.end(), 0);
     return result;
-  }
-
-  /// Is every numerator a rational combination of the chosen ones? By the rank of their coefficients.
-  [[nodiscard]] bool span_all(const std::vector<int>& chosen) const {
-    std::vector<std::vector<long>> monomials;
-    const auto column = [&](const std::vector<long>& exponents) {
-      const auto at = std::ranges::find(monomials, exponents);
-      if (at == monomials.end()) monomials.push_back(exponents);
-      return static_cast<Eigen::Index>(std::ranges::find(monomials, exponents) - monomials.begin());
-    };
-    for (const Polynomial& p : form_.numerators) {
-      for (const Polynomial::Term& term : p.terms()) column(term.exponents);
-    }
-    const auto fill = [&](const std::vector<int>& rows) {
-      Matrix<Rational> a = zero_matrix<Rational>(static_cast<Eigen::Index>(rows.size()),
-                                                 static_cast<Eigen::Index>(monomials.size()));
-      for (std::size_t i = 0; i < rows.size(); ++i) {
-        for (const Polynomial::Term& term : form_.numerators[static_cast<std::size_t>(rows[i])].terms()) {
-          a(static_cast<Eigen::Index>(i), column(term.exponents)) = term.coefficient;
-        }
-      }
-      return row_reduce(a).second.size();
-    };
-    std::vector<int> all(form_.numerators.size());
-    std::iota(all.begin(), all.end(), 0);
-    return fill(chosen) == fill(all);
   }
 
   /// Is the guess's critical point inside the box, and are its active residuals the ones that count there?

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "optimize/common_form.h"
+#include "optimize/common_zero.h"
 #include "optimize/exclusion.h"
 #include "optimize/local_minimum.h"
 
@@ -30,6 +31,7 @@ class Minimiser {
   [[nodiscard]] Rational level() const;
   [[nodiscard]] Summary stopped(Termination termination, std::string message) const;
   [[nodiscard]] Summary conclude() const;
+  [[nodiscard]] std::optional<Summary> zero_of_many(const LocalMinimum& candidate) const;
   [[nodiscard]] std::vector<int> active_residuals(const VerifiedMinimum& minimum) const;
 
   const Problem& problem_;
@@ -128,6 +130,26 @@ Summary Minimiser::conclude() const {
   return summary;
 }
 
+/// One of a curve or surface of points where all residuals vanish: the least value that a norm can have.
+std::optional<Summary> Minimiser::zero_of_many(const LocalMinimum& candidate) const {
+  std::vector<double> values;
+  for (const Polynomial& p : residuals_.numerators) {
+    values.push_back(p.evaluate<double>(candidate.x) / residuals_.denominator.evaluate<double>(candidate.x));
+  }
+  if (!all_vanish(values)) return std::nullopt;
+  const auto zero = zero_on_a_family(residuals_, problem_.box, candidate.x, options_.precision);
+  if (!zero) return std::nullopt;
+  Summary summary =
+      stopped(Termination::not_unique,
+              "all residuals vanish, along a curve or surface of parameters; one point of it is given");
+  summary.minimum = exact(Rational(0), "all residuals vanish");
+  for (const Interval& x : *zero) summary.minimiser.push_back(certified(x, "Krawczyk"));
+  for (std::size_t i = 0; i < problem_.residuals.size() && problem_.norm != Norm::l2; ++i) {
+    summary.active.push_back(static_cast<int>(i));
+  }
+  return summary;
+}
+
 Summary Minimiser::run(const std::vector<LocalMinimum>& candidates) {
   constexpr int most_improvements = 20;
   constexpr int boxes_for_poles = 20000;
@@ -137,6 +159,7 @@ Summary Minimiser::run(const std::vector<LocalMinimum>& candidates) {
   if (candidates.empty())
     return stopped(Termination::no_local_minimum, "no start of the local solver converged");
   if (form_.numerators.empty()) return stopped(Termination::not_isolated, "the objective is 0 everywhere");
+  if (auto summary = zero_of_many(candidates.front())) return *summary;
   for (const LocalMinimum& candidate : candidates) {
     constexpr double worse = 1e-6;
     if (!found_.empty() &&

@@ -218,6 +218,25 @@ TEST(SeveralParameters, TwoMinimisersAreNotUnique) {
   EXPECT_TRUE(s.minimiser[0].contains(Rational(-1)));
 }
 
+TEST(SeveralParameters, ACurveOfZerosGivesOneOfThem) {
+  // x^2 + y^2 = 1 and, over three parameters, also z = x y: two independent residuals and a combination of
+  // them.
+  const F ring = x * x + y * y - F(1);
+  const F twist = z - x * y;
+  for (const Norm norm : {Norm::l1, Norm::l2, Norm::linf}) {
+    const Summary circle = minimise(problem(norm, {ring, -ring}, {range(-2, 2), range(-2, 3)}));
+    EXPECT_EQ(circle.termination, Termination::not_unique) << circle.message;
+    EXPECT_EQ(circle.minimum.exact, "0");
+    const Interval px = Interval::hull(circle.minimiser[0].lower, circle.minimiser[0].upper, 400);
+    const Interval py = Interval::hull(circle.minimiser[1].lower, circle.minimiser[1].upper, 400);
+    EXPECT_TRUE((px * px + py * py).contains(Rational(1)));
+    const Summary curve = minimise(
+        problem(norm, {ring, twist, ring - F(3) * twist}, {range(-2, 2), range(-2, 3), range(-2, 3)}));
+    EXPECT_EQ(curve.termination, Termination::not_unique) << curve.message;
+    EXPECT_EQ(curve.minimum.exact, "0");
+  }
+}
+
 TEST(SeveralParameters, ACircleOfMinimisersIsNotIsolated) {
   const F ring = x * x + y * y - F(1);
   const Summary s = minimise(problem(Norm::linf, {F(1) + ring * ring}, {range(-2, 2), range(-2, 3)}));
