@@ -174,13 +174,14 @@ std::vector<Word> Search::with_mirror_image(const Word& word) const {
   return tied ? std::vector<Word>{word, mirror} : std::vector<Word>{word};
 }
 
+/// The largest radius in closed form: the others are certainly smaller than the ball.
 std::optional<Algebraic> Search::exact_form() const {
   std::optional<Algebraic> result;
   for (const LeadingVector& start : starts_) {
     if (!start.radius.overlaps(radius_)) continue;
-    const std::optional<Algebraic> radius = exact_radius(family_, start);
-    if (!radius || (result && !(*radius == *result))) return std::nullopt;
-    result = radius;
+    std::optional<Algebraic> radius = exact_radius(family_, start);
+    if (!radius) return std::nullopt;
+    if (!result || *radius > *result) result = std::move(radius);
   }
   return result;
 }

@@ -14,6 +14,8 @@ namespace {
 
 /// Eigenvalues of a modulus so close to the largest count as equal to it.
 constexpr double same_modulus = 1e-9;
+/// The same for rational eigenvalues, whose exact vectors serve even where floating point sees them badly.
+constexpr double similar_modulus = 1e-6;
 /// Exact characteristic polynomials are for small matrices.
 constexpr Eigen::Index largest_exact = 20;
 /// Degree of an algebraic number that is still worth having, before and after the root of the word's length.
@@ -68,7 +70,7 @@ std::vector<LeadingVector> rational_vectors(const MatrixFamily& family, const Ad
   for (const auto& [factor, multiplicity] : factor(exact_polynomial(p))) {
     if (factor.degree() != 1) continue;
     const Rational lambda = -factor.coefficient(0) / factor.coefficient(1);
-    if (abs(lambda) < modulus * (Rational(1) - Rational::from_double(same_modulus))) continue;
+    if (abs(lambda) < modulus * (Rational(1) - Rational::from_double(similar_modulus))) continue;
     Matrix<Rational> shifted = p;
     for (Eigen::Index i = 0; i < p.rows(); ++i) shifted(i, i) -= lambda;
     for (const Vector<Rational>& v : null_space(shifted)) {
