@@ -56,10 +56,13 @@ void add_one_parameter(Results& results) {
   }
   results.claims.push_back(settle(head_of("area.r.minimum"), r.minimum));
 
+  // The whole range, closer points about the sharp optimum, and the optimum itself.
+  std::vector<Rational> abscissae{Rational::parse(to_decimal(s.minimiser[0].midpoint(), digits))};
+  for (int i = 0; i <= 150; ++i) abscissae.push_back(Rational(i - 34, 20));
+  for (int i = 0; i <= 40; ++i) abscissae.push_back(Rational(81 + i, 200) + Rational(1, 1000));
+  std::ranges::sort(abscissae);
   Series curve{"area-objective-s", {"s", "largest difference"}, {}};
-  constexpr int steps = 150;
-  for (int i = 0; i <= steps; ++i) {
-    const Rational at = Rational(-17, 10) + Rational(75 * i, 10 * steps);
+  for (const Rational& at : abscissae) {
     curve.rows.push_back({to_significant(at, digits), to_significant(residual_s(at), digits)});
   }
   results.series.push_back(std::move(curve));
@@ -139,7 +142,7 @@ void add_two_parameters(Results& results) {
        "largest |m_k - l_k|",
        {{"area-rs-valley", "s", "largest difference", "{J_r, *J_s}, best r"},
         {"area-rs-points", "s", "largest difference", "optimum; printed pairs", "points pt 7 ps 1.2"}},
-       "set logscale y; set format y '%.0e'"});
+       "set key top center; set logscale y; set format y '%.0e'"});
 }
 
 /// The masks of the recommended schemes beside the polygon's.
@@ -155,6 +158,10 @@ void add_mask_figure(Results& results) {
       {"{J_-0.0299, *J_1.5}", area_mask(anticipated_jspline(r, r, three_halves))},
       {"{J_0.836, *J_-0.531}", area_mask(anticipated_jspline(r2, r2, parse("-0.531")))},
   };
+  // The others differ from the polygon's by so much that they would hide these.
+  const auto is_recommended = [](const std::string& name) {
+    return name != "polygon" && name != "*J_0" && name != "*J_1";
+  };
   Series series{"area-masks", {"k"}, {}};
   Series differences{"area-mask-differences", {"k"}, {}};
   Figure figure{"area-masks", "Area masks", "k", "m_k", {}, "set xrange [-5.5:5.5]"};
@@ -163,7 +170,7 @@ void add_mask_figure(Results& results) {
   for (const auto& [name, mask] : masks) {
     series.columns.push_back(name);
     figure.curves.push_back({"area-masks", "k", name, name, "linespoints pt 7 ps 0.6"});
-    if (name == "polygon") continue;
+    if (!is_recommended(name)) continue;
     differences.columns.push_back(name);
     difference_figure.curves.push_back({"area-mask-differences", "k", name, name, "linespoints pt 7 ps 0.6"});
   }
@@ -172,7 +179,8 @@ void add_mask_figure(Results& results) {
     std::vector<std::string> difference_row{std::to_string(k)};
     for (const auto& [name, mask] : masks) {
       row.push_back(to_significant(mask[k], digits));
-      if (name != "polygon") difference_row.push_back(to_significant(mask[k] - masks[0].second[k], digits));
+      if (is_recommended(name))
+        difference_row.push_back(to_significant(mask[k] - masks[0].second[k], digits));
     }
     series.rows.push_back(std::move(row));
     differences.rows.push_back(std::move(difference_row));

@@ -254,7 +254,7 @@ void add_figures(const Points& witness, Results& results) {
                              "y",
                              {{"area-witness-polygon", "x", "y", "polygon", "linespoints pt 7 ps 0.8"},
                               {"area-witness-curve", "x", "y", "*J_0.46415"}},
-                             "set size ratio -1"});
+                             "set size ratio -1; set yrange [-2:8]"});
 
   const std::vector<Rational> ratio = ratios(witness);
   Series series{"area-error-witness", {"parameter", "*J_s", "{J_r, *J_1.5}"}, {}};

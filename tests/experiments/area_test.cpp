@@ -400,6 +400,9 @@ TEST_F(Area, FiguresHaveTheirData) {
       *std::ranges::find_if(results().series, [](const Series& s) { return s.name == "area-objective-s"; });
   for (std::size_t i = 0; i < curve.rows.size(); i += 10) {
     const double s = std::stod(curve.rows[i][0]);
+    if (i > 0) {
+      EXPECT_GT(s, std::stod(curve.rows[i - 1][0]));
+    }
     EXPECT_NEAR(std::stod(curve.rows[i][1]), residual(s, s, s), 1e-8 * (1 + residual(s, s, s))) << s;
   }
 }
