@@ -53,7 +53,7 @@ TEST(Family, TheCurveOfJ2IsAQuarticSpline) {
     const auto here = static_cast<std::size_t>(j);
     const auto next = static_cast<std::size_t>((j + 1) % points);
     polygon.emplace_back(heights[here]);
-    mid_edges.push_back(Rational(heights[here] + heights[next], 2));
+    mid_edges.emplace_back(heights[here] + heights[next], 2);
   }
   constexpr int steps = 4;
   const auto refined = refine(polygon, jspline<Rational>(2), steps);

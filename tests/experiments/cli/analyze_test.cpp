@@ -72,6 +72,22 @@ TEST(Analyze, DualTernaryAndIrrationalSchemes) {
   EXPECT_TRUE(ternary["reasons"].contains("tangent_mask"));
 }
 
+// Hassan, Ivrissimitzis, Dodgson & Sabin 2002: C2 for 1/15 < mu < 1/9.
+TEST(Analyze, TheRangeOfATernarySchemeWithAParameter) {
+  const TemporaryFolder folder;
+  std::ofstream(folder.path() / "ternary.json") << R"({"name": "ternary four-point", "arity": 3,
+    "parameters": {"mu": "1/11"},
+    "mask": {"first": -5, "coefficients": ["-1/18+mu/6", "-1/18-mu/6", "0", "7/18-mu/2", "13/18+mu/2", "1",
+                                           "13/18+mu/2", "7/18-mu/2", "0", "-1/18-mu/6", "-1/18+mu/6"]}})";
+  const Json json = analysis_of((folder.path() / "ternary.json:mu=mu").string());
+  const Json& certified = json["regularity"]["certified"];
+  ASSERT_EQ(certified.size(), 3U);
+  EXPECT_EQ(certified[2]["continuity"], "C2");
+  EXPECT_EQ(certified[2]["interval"]["lower"], "0.0666666666666666667");
+  EXPECT_EQ(certified[2]["interval"]["upper"], "0.111111111111111111");
+  EXPECT_EQ(json["regularity"]["necessary"][2]["set"], "(1/15, 1/3)");
+}
+
 TEST(Analyze, ForPeopleItSaysTheSame) {
   const ProgramRun run = run_program({"analyze", "four-point:w=1/16"});
   EXPECT_EQ(run.exit_code, 0);
@@ -109,7 +125,9 @@ TEST(Analyze, BadSchemeFilesEndWith2AndNameTheLine) {
   rejected(R"({"name": "x", "arity": 2, "mask": {"first": 0, "coefficients": ["3/2", "1/2"]}})",
            {"not affinely invariant", "add up to 3/2 instead of 1"});
   rejected("[]", {"scheme.json"});
-  rejected(std::string(10'000'000, ' '), {"scheme.json", "larger than 1 MB"});
+  std::string huge;
+  huge.resize(10'000'000, ' ');
+  rejected(huge, {"scheme.json", "larger than 1 MB"});
 }
 
 TEST(Analyze, WhatThePowersLeaveOpenEndsWith3) {

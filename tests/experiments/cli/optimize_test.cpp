@@ -12,7 +12,7 @@ using Strings = std::vector<std::string>;
 ProgramRun optimize(const std::string& scheme, const std::string& over, const std::string& objective,
                     const std::string& norm, bool json = true) {
   Strings arguments{"optimize", scheme, "--over", over, "--objective", objective, "--norm", norm};
-  if (json) arguments.push_back("--json");
+  if (json) arguments.emplace_back("--json");
   return run_program(arguments);
 }
 

@@ -1,0 +1,70 @@
+#include <algorithm>
+#include <sstream>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "experiments/report/json.h"
+#include "tests/experiments/cli/program.h"
+
+namespace subdiv {
+namespace {
+
+const std::filesystem::path root = SUBDIVLAB_SOURCE_DIR;
+
+/// The text between a fence "```language" and the next "```" of README.md.
+std::string fenced_block(const std::string& language) {
+  const std::string readme = text_of(root / "README.md");
+  const std::string fence = "\n```" + language + "\n";
+  const std::size_t begin = readme.find(fence);
+  if (begin == std::string::npos) throw std::runtime_error("README.md has no block " + fence);
+  const std::size_t first = begin + fence.size();
+  return readme.substr(first, readme.find("\n```", first) - first);
+}
+
+/// The commands "    build/subdivlab ..." of README.md that speak of a file, as arguments.
+std::vector<std::vector<std::string>> commands_about(const std::string& file) {
+  std::vector<std::vector<std::string>> commands;
+  std::istringstream readme(text_of(root / "README.md"));
+  for (std::string line; std::getline(readme, line);) {
+    const std::string prompt = "    build/subdivlab ";
+    if (!line.starts_with(prompt) || line.find(file) == std::string::npos) continue;
+    std::istringstream words(line.substr(prompt.size()));
+    std::vector<std::string> arguments;
+    for (std::string word; words >> word && word != "#";) arguments.push_back(word);
+    commands.push_back(std::move(arguments));
+  }
+  return commands;
+}
+
+TEST(Readme, TheExampleSchemeWorksWithItsCommands) {
+  const TemporaryFolder folder;
+  std::ofstream(folder.path() / "corner.json") << fenced_block("json");
+  const auto commands = commands_about("corner.json");
+  EXPECT_GE(commands.size(), 2U);
+  for (const auto& command : commands) {
+    const ProgramRun run = run_program(command, folder.path());
+    EXPECT_EQ(run.exit_code, 0) << command[0] << ": " << run.errors;
+  }
+}
+
+TEST(Readme, TheExcerptIsWhatTheResultsSay) {
+  const auto claims = claims_from_json(text_of(root / "results" / "claims.json"), "results/claims.json");
+  std::istringstream excerpt(fenced_block(""));
+  std::string line;
+  std::getline(excerpt, line);  // the header
+  int rows = 0;
+  while (std::getline(excerpt, line) && !line.empty()) {
+    const std::string id = line.substr(0, line.find(' '));
+    const auto claim =
+        std::find_if(claims.begin(), claims.end(), [&](const ClaimRecord& c) { return c.id == id; });
+    ASSERT_NE(claim, claims.end()) << id;
+    EXPECT_TRUE(line.ends_with(" " + claim->verdict)) << line;
+    expect_contains(line, value_text(*claim, 24));
+    ++rows;
+  }
+  EXPECT_GE(rows, 5);
+}
+
+}  // namespace
+}  // namespace subdiv
