@@ -1,0 +1,116 @@
+#include "analysis/expanding_condition.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "analysis/eigenvalues.h"
+
+namespace subdiv {
+namespace {
+
+constexpr long precision = 96;
+
+/// x^0, x^1, .. x^degree for each x.
+std::vector<std::vector<Interval>> powers_of(const std::vector<Interval>& x, long degree) {
+  std::vector<std::vector<Interval>> result;
+  for (const Interval& value : x) {
+    result.emplace_back(1, Interval(1));
+    for (long k = 1; k <= degree; ++k) result.back().push_back(pow(value, k));
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<ExpandingCondition> expanding_conditions(const std::vector<Matrix<RationalFunction>>& family,
+                                                     int longest) {
+  std::vector<ExpandingCondition> result;
+  const auto add = [&](const Word& word, const Polynomial& g) {
+    for (ExpandingCondition& known : result) {
+      if (!(known.g == g)) continue;
+      if (word.size() < known.word.size()) known.word = word;
+      return;
+    }
+    result.push_back({word, g});
+  };
+  const int letters = static_cast<int>(family.size());
+  for (Word word = next_lyndon_word({}, letters, longest); !word.empty();
+       word = next_lyndon_word(word, letters, longest)) {
+    for (const auto& [base, multiplicity] : factor(characteristic_equation(product(family, word))).factors) {
+      const std::vector<Polynomial> c = base.coefficients_in(eigenvalue_variable);
+      if (c.size() < 2) continue;
+      if (!c.back().is_constant()) throw std::domain_error("the entries of the family are no polynomials");
+      const Polynomial scale(Rational(1) / c.back().constant());
+      Polynomial at_one;
+      Polynomial at_minus_one;  // times (-1)^degree
+      for (std::size_t i = 0; i < c.size(); ++i) {
+        at_one += c[i] * scale;
+        at_minus_one += ((c.size() - 1 - i) % 2 == 0 ? c[i] : -c[i]) * scale;
+      }
+      for (const Polynomial& g :
+           {at_one, at_minus_one, Polynomial(1) - c[0] * scale, Polynomial(1) + c[0] * scale}) {
+        add(word, g);
+      }
+    }
+  }
+  return result;
+}
+
+RangedPolynomial::RangedPolynomial(const Polynomial& p, std::size_t variables)
+    : terms_(terms_of(p, variables)) {
+  for (std::size_t k = 0; k < variables; ++k) {
+    derivatives_.push_back(terms_of(p.derivative(static_cast<int>(k)), variables));
+    degree_ = std::max(degree_, p.degree(static_cast<int>(k)));
+  }
+}
+
+RangedPolynomial::Terms RangedPolynomial::terms_of(const Polynomial& p, std::size_t variables) {
+  Terms result;
+  for (Polynomial::Term& term : p.terms()) {
+    for (std::size_t k = variables; k < term.exponents.size(); ++k) {
+      if (term.exponents[k] != 0) throw std::domain_error("a polynomial uses a variable that has no range");
+    }
+    term.exponents.resize(variables);
+    result.push_back(
+        {Interval(term.coefficient, precision), term.coefficient.to_double(), std::move(term.exponents)});
+  }
+  return result;
+}
+
+Interval RangedPolynomial::sum(const Terms& terms, const std::vector<std::vector<Interval>>& powers) {
+  Interval total(0);
+  for (const Term& term : terms) {
+    Interval product = term.coefficient;
+    for (std::size_t k = 0; k < powers.size(); ++k) {
+      if (term.exponents[k] > 0) product *= powers[k][static_cast<std::size_t>(term.exponents[k])];
+    }
+    total += product;
+  }
+  return total;
+}
+
+Interval RangedPolynomial::range(const std::vector<Interval>& box) const {
+  std::vector<Interval> centre;
+  for (const Interval& x : box) centre.push_back(x.center());
+  const auto powers = powers_of(box, degree_);
+  Interval by_slopes = sum(terms_, powers_of(centre, degree_));
+  for (std::size_t k = 0; k < box.size(); ++k)
+    by_slopes += sum(derivatives_[k], powers) * (box[k] - centre[k]);
+  const Interval plain = sum(terms_, powers);
+  return plain.radius() < by_slopes.radius() ? plain : by_slopes;
+}
+
+double RangedPolynomial::value(const std::vector<double>& x) const {
+  double total = 0;
+  for (const Term& term : terms_) {
+    double product = term.approximate;
+    for (std::size_t k = 0; k < x.size(); ++k)
+      product *= std::pow(x[k], static_cast<double>(term.exponents[k]));
+    total += product;
+  }
+  return total;
+}
+
+}  // namespace subdiv

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <vector>
+
+#include "analysis/jsr/word.h"
+#include "schemes/algebra/interval.h"
+#include "schemes/algebra/matrix.h"
+
+namespace subdiv {
+
+/// A polynomial g over Q in the parameters of a family T_0, T_1, ..: wherever g <= 0, the product of this
+/// word has a spectral radius of at least 1.
+struct ExpandingCondition {
+  Word word;
+  Polynomial g;
+};
+
+/// From the irreducible factors f(x) = x^d + .. + f_0 of the characteristic polynomials of all Lyndon words
+/// up to a length: f(1), (-1)^d f(-1) and 1 -+ f_0; each polynomial once, with a shortest word. Entries are
+/// polynomials in the parameters (std::domain_error otherwise).
+[[nodiscard]] std::vector<ExpandingCondition> expanding_conditions(
+    const std::vector<Matrix<RationalFunction>>& family, int longest);
+
+/// A polynomial prepared for ranges over many boxes.
+class RangedPolynomial {
+ public:
+  RangedPolynomial(const Polynomial& p, std::size_t variables);
+
+  /// Encloses the values for x_k in the intervals: the mean-value form and the plain one, whichever tells
+  /// more.
+  [[nodiscard]] Interval range(const std::vector<Interval>& box) const;
+  /// In floating point.
+  [[nodiscard]] double value(const std::vector<double>& x) const;
+
+ private:
+  struct Term {
+    Interval coefficient;
+    double approximate;
+    std::vector<long> exponents;
+  };
+  using Terms = std::vector<Term>;
+
+  static Terms terms_of(const Polynomial& p, std::size_t variables);
+  static Interval sum(const Terms& terms, const std::vector<std::vector<Interval>>& powers);
+
+  Terms terms_;
+  std::vector<Terms> derivatives_;
+  long degree_ = 0;
+};
+
+}  // namespace subdiv
