@@ -265,9 +265,9 @@ Results run_basis_fit() {
   for (const Target& target : targets) add_fits(results, target);
   add_samples(results);
   add_edge_bound(results);
-  add_curves(results, "fit-b2", Rational::parse("0.689"), 2, "*J_{.689}");
-  add_curves(results, "fit-b4", Rational::parse("1.27"), 4, "*J_{1.27}");
-  add_curves(results, "fit-linear", Rational::parse("0.304763"), 1, "*J_{.304763}");
+  add_curves(results, "fit-b2", Rational::parse("0.689"), 2, "*J_.689");
+  add_curves(results, "fit-b4", Rational::parse("1.27"), 4, "*J_1.27");
+  add_curves(results, "fit-linear", Rational::parse("0.304763"), 1, "*J_.304763");
   add_objectives(results, settled(results, "fit.b2.l1"), settled(results, "fit.b2.linf"));
   return results;
 }
