@@ -96,7 +96,7 @@ RealInterval closed(std::optional<Rational> lower, std::optional<Rational> upper
 
 std::vector<RadiusPiece> prove_pieces() {
   const Function p = Function::variable(0);
-  const Function u = p;
+  const Function& u = p;
   const Function below = Function(1) - Function(2) * p;
   const Function bent = Function(4) / (Function(7) + u * u);
   const Rational quarter(1, 4);
