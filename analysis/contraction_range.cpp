@@ -139,8 +139,8 @@ std::optional<ContractionRange> prove_contraction(const std::vector<Matrix<Funct
       critical_vertices(matrices, leading, mirror, between(critical, other, Rational(1, 1000)));
   if (!vertices) return std::nullopt;
   constexpr int longest = 3;
-  const Rational eighth(1, 8);
-  for (Rational part = eighth; part < Rational(1); part += eighth) {
+  const Rational step(1, 16);
+  for (Rational part = Rational(2) * step; part < Rational(1); part += step) {
     const Algebraic cut(between(critical, other, part));
     const RealInterval near =
         upwards ? RealInterval{cut, critical, true, false} : RealInterval{critical, cut, false, true};

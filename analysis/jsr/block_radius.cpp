@@ -20,7 +20,9 @@ constexpr std::size_t most_ties = 6;
 /// Degree of a number field in which images on the boundary are worth an exact decision.
 constexpr long largest_field = 8;
 /// An attempt may take this share of the time left.
-constexpr double share_of_an_attempt = 0.5;
+constexpr double share_of_an_attempt = 0.2;
+/// Complex hulls cost far more per vertex, and those that close have few.
+constexpr std::size_t most_complex_vertices = 160;
 /// Larger blocks get only bounds from norms.
 constexpr Eigen::Index largest_block = 48;
 /// Vectors that span missing directions are this long, in adapted coordinates.
@@ -87,7 +89,7 @@ class Search {
   Growth try_cycles(const std::vector<LeadingVector>& starts, const Rational& ratio,
                     std::shared_ptr<const NumberField> field);
   bool try_slack(double slack);
-  Growth grow(InvariantPolytope& polytope);
+  Growth grow(InvariantPolytope& polytope, std::size_t most_vertices);
   bool improve_upper(InvariantPolytope& polytope);
   [[nodiscard]] std::shared_ptr<const NumberField> field_of(const std::vector<LeadingVector>& starts) const;
   [[nodiscard]] std::optional<Algebraic> exact_form() const;
@@ -199,14 +201,14 @@ std::shared_ptr<const NumberField> Search::field_of(const std::vector<LeadingVec
 }
 
 /// Grows until closed and spanning; directions that the images do not reach are added as small vectors.
-Growth Search::grow(InvariantPolytope& polytope) {
+Growth Search::grow(InvariantPolytope& polytope, std::size_t most_vertices) {
   const Deadline until(deadline_.left() * share_of_an_attempt);
-  const Growth outcome = polytope.grow(most_vertices_, until);
+  const Growth outcome = polytope.grow(most_vertices, until);
   if (outcome != Growth::closed) return outcome;
   const Eigen::MatrixXd missing = polytope.missing_directions();
   if (missing.cols() == 0) return outcome;
   for (Eigen::Index k = 0; k < missing.cols(); ++k) polytope.add_vector(small_vector * missing.col(k));
-  return polytope.grow(most_vertices_, until);
+  return polytope.grow(most_vertices, until);
 }
 
 bool Search::improve_upper(InvariantPolytope& polytope) {
@@ -240,11 +242,12 @@ Growth Search::try_cycles(const std::vector<LeadingVector>& starts, const Ration
     polytope.add_cycle(start, scale);
     scale *= ratio;
   }
-  Growth outcome = grow(polytope);
+  const std::size_t most = real ? most_vertices_ : std::min(most_vertices_, most_complex_vertices);
+  Growth outcome = grow(polytope, most);
   constexpr int most_repairs = 8;
   for (int repair = 0; repair < most_repairs && outcome == Growth::closed; ++repair) {
     if (!improve_upper(polytope) || result_.closed || !polytope.append_unproved()) break;
-    outcome = grow(polytope);
+    outcome = grow(polytope, most);
   }
   if (outcome == Growth::better_word) better_word_ = polytope.better_word();
   return outcome;
@@ -265,7 +268,7 @@ bool Search::try_slack(double slack) {
     const Eigen::MatrixXd unit = Eigen::MatrixXd::Identity(adapted_.dimension(), adapted_.dimension());
     for (Eigen::Index k = 0; k < unit.cols(); ++k) polytope.add_vector(unit.col(k));
   }
-  const bool closed = grow(polytope) == Growth::closed;
+  const bool closed = grow(polytope, most_vertices_) == Growth::closed;
   return improve_upper(polytope) && closed;
 }
 
@@ -290,7 +293,7 @@ void Search::close() {
   }
 }
 
-/// Real cycles alone may do and are cheaper. With a rational radius, exact arithmetic settles images on the
+/// Real cycles alone may do, and are cheaper. With a rational radius, exact arithmetic settles images on the
 /// boundary; otherwise they become vertices at first. Cycles of equal lengths may meet in one vertex that
 /// ball arithmetic cannot tell from two; of different lengths they do not.
 Growth Search::close_with_ties() {
@@ -304,10 +307,15 @@ Growth Search::close_with_ties() {
     outcome = try_cycles(real, 1, field);
     if (settled(outcome)) return outcome;
   }
-  for (const Rational& ratio : {Rational(1), Rational(1023, 1024), Rational(15, 16)}) {
-    if (ratio != Rational(1) && starts_.size() < 2) break;
-    outcome = try_cycles(starts_, ratio, nullptr);
-    if (settled(outcome)) return outcome;
+  std::vector<std::vector<LeadingVector>> choices;
+  if (!real.empty() && real.size() < starts_.size()) choices.push_back(real);
+  choices.push_back(starts_);
+  for (const std::vector<LeadingVector>& starts : choices) {
+    for (const Rational& ratio : {Rational(1), Rational(1023, 1024), Rational(15, 16)}) {
+      if (ratio != Rational(1) && starts.size() < 2) break;
+      outcome = try_cycles(starts, ratio, nullptr);
+      if (settled(outcome)) return outcome;
+    }
   }
   if (field && field->modulus.degree() > 1) outcome = try_cycles(real, 1, field);
   return outcome;

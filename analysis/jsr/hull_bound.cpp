@@ -97,30 +97,36 @@ std::vector<HullColumn> basis_near(const HullCombination& combination,
 
 Interval gauge_bound(const BallMatrix& x, const std::vector<BallMatrix>& vertices,
                      const HullCombination& combination, const std::vector<HullColumn>& basis,
-                     long precision) {
+                     const std::vector<HullColumn>& spanning, long precision) {
   BallMatrix rest = x;
   Interval sum = Interval(0).with_precision(precision);
-  acb_t product;
-  acb_t coefficient;
-  acb_init(product);
-  acb_init(coefficient);
-  for (const HullCombination::Term& term : combination.terms) {
-    const HullColumn column{term.vertex, term.conjugate};
-    if (std::find(basis.begin(), basis.end(), column) != basis.end()) continue;
-    acb_set_d_d(coefficient, term.coefficient.real(), term.coefficient.imag());
+  const auto take = [&](const HullColumn& column, acb_srcptr coefficient) {
     sum += modulus(coefficient, precision);
     BallMatrix v(x.rows(), 1);
     copy_column(vertices, column, v, 0);
-    for (long i = 0; i < x.rows(); ++i) {
-      acb_mul(product, coefficient, v.at(i, 0), precision);
-      acb_sub(rest.at(i, 0), rest.at(i, 0), product, precision);
-    }
+    for (long i = 0; i < x.rows(); ++i) acb_submul(rest.at(i, 0), coefficient, v.at(i, 0), precision);
+  };
+  BallMatrix number(1, 1);
+  for (const HullCombination::Term& term : combination.terms) {
+    const HullColumn column{term.vertex, term.conjugate};
+    if (std::find(basis.begin(), basis.end(), column) != basis.end()) continue;
+    acb_set_d_d(number.at(0, 0), term.coefficient.real(), term.coefficient.imag());
+    take(column, number.at(0, 0));
   }
-  acb_clear(product);
-  acb_clear(coefficient);
-  const std::optional<BallMatrix> solved = solve(matrix_of(vertices, basis), rest, precision);
-  if (!solved) return unbounded();
-  for (long i = 0; i < solved->rows(); ++i) sum += modulus(solved->at(i, 0), precision);
+  // Approximate coefficients on the basis are as good as any; what they leave is small, or as wide as x
+  // itself.
+  BallMatrix middle(x.rows(), 1);
+  BallMatrix approximate(x.rows(), 1);
+  BallMatrix columns = matrix_of(vertices, basis);
+  acb_mat_get_mid(middle.raw(), rest.raw());
+  acb_mat_get_mid(columns.raw(), columns.raw());
+  if (acb_mat_approx_solve(approximate.raw(), columns.raw(), middle.raw(), precision) != 0) {
+    acb_mat_get_mid(approximate.raw(), approximate.raw());
+    for (std::size_t k = 0; k < basis.size(); ++k) take(basis[k], approximate.at(static_cast<long>(k), 0));
+  }
+  const std::optional<BallMatrix> left = solve(matrix_of(vertices, spanning), rest, precision);
+  if (!left) return unbounded();
+  for (long i = 0; i < left->rows(); ++i) sum += modulus(left->at(i, 0), precision);
   return sum;
 }
 

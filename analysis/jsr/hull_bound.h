@@ -30,11 +30,11 @@ struct HullColumn {
                                                  const std::vector<HullColumn>& spanning);
 
 /// A ball whose upper end bounds the gauge of every x in its ball in the balanced hull of any vertices in
-/// theirs: the coefficients of the combination outside the basis are kept, those on the basis are solved for,
-/// all in ball arithmetic. Not finite when the basis is not known to be one.
+/// theirs: x is written by the combination, with its coefficients on the basis solved for anew, and the rest
+/// by the spanning columns, all in ball arithmetic. Not finite when these are not known to span.
 [[nodiscard]] Interval gauge_bound(const BallMatrix& x, const std::vector<BallMatrix>& vertices,
                                    const HullCombination& combination, const std::vector<HullColumn>& basis,
-                                   long precision);
+                                   const std::vector<HullColumn>& spanning, long precision);
 
 /// Whether x = sum c_j v_j over the basis with sum |c_j| <= 1, exactly. False when the basis is dependent.
 [[nodiscard]] bool is_exactly_inside(const Vector<FieldElement>& x,

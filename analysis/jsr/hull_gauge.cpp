@@ -1,9 +1,11 @@
 #include "analysis/jsr/hull_gauge.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include <Eigen/LU>
 
@@ -76,18 +78,23 @@ bool HullGauge::add_violated_columns(const Combination& combination) {
   const Eigen::VectorXd dual = basis.transpose().partialPivLu().solve(signs);
   const Eigen::VectorXcd functional =
       dual.head(n / 2).cast<std::complex<double>>() - std::complex<double>(0, 1) * dual.tail(n / 2);
-  bool added = false;
+  std::vector<std::pair<double, Column>> violated;
   for (std::size_t j = 0; j < vertices_.size(); ++j) {
     for (const bool conjugate : {false, true}) {
       if (conjugate && is_real(vertices_[j])) continue;
       const Eigen::VectorXcd v = conjugate ? vertices_[j].conjugate().eval() : vertices_[j];
       const std::complex<double> value = (functional.transpose() * v)(0);
-      if (!(std::abs(value) > 1 + violation)) continue;
-      add_column(static_cast<int>(j), conjugate, std::conj(value) / std::abs(value));
-      added = true;
+      const double size = std::abs(value);
+      if (size > 1 + violation)
+        violated.push_back({size, {static_cast<int>(j), conjugate, std::conj(value) / size}});
     }
   }
-  return added;
+  // The worst ones, so that the programs stay small.
+  std::stable_sort(violated.begin(), violated.end(),
+                   [](const auto& x, const auto& y) { return x.first > y.first; });
+  if (violated.size() > static_cast<std::size_t>(n)) violated.resize(static_cast<std::size_t>(n));
+  for (const auto& [size, column] : violated) add_column(column.vertex, column.conjugate, column.phase);
+  return !violated.empty();
 }
 
 HullCombination HullGauge::collect(const Combination& combination) const {

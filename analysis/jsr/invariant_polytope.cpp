@@ -58,6 +58,7 @@ InvariantPolytope::InvariantPolytope(const MatrixFamily& family, const AdaptedFa
 
 InvariantPolytope::Vertex& InvariantPolytope::append(BallMatrix ball) {
   Vertex vertex{ball.midpoints(), std::nullopt};
+  if (goal_.slack > 0) ball = BallMatrix(Eigen::MatrixXcd(vertex.point));
   vertex.settled.assign(family_.size(), false);
   gauge_.add(vertex.point);
   balls_.push_back(std::move(ball));
@@ -74,7 +75,7 @@ void InvariantPolytope::add_cycle(const LeadingVector& start, const Rational& sc
     const auto letter = static_cast<std::size_t>(start.word[k]);
     Vertex& vertex = append(ball);
     vertex.product = Eigen::MatrixXd::Identity(adapted_.dimension(), adapted_.dimension());
-    vertex.settled[letter] = true;
+    vertex.settled[letter] = goal_.slack == 0;
     if (k > 0) {
       vertex.parent = first + k - 1;
       vertex.letter = static_cast<std::size_t>(start.word[k - 1]);
@@ -105,7 +106,7 @@ void InvariantPolytope::append_image(const Image& image) {
   const BallMatrix ball = multiply(adapted_.balls[image.letter], balls_[image.vertex], family_.precision);
   Vertex& vertex = append(divide(ball, step_));
   Vertex& parent = vertices_[image.vertex];
-  parent.settled[image.letter] = true;
+  parent.settled[image.letter] = goal_.slack == 0;
   vertex.parent = image.vertex;
   vertex.letter = image.letter;
   vertex.path = parent.path;
@@ -179,7 +180,7 @@ Interval InvariantPolytope::image_bound(const Image& image, const std::vector<Hu
       divide(multiply(adapted_.balls[image.letter], balls_[image.vertex], family_.precision), goal_.radius);
   const HullCombination proposal = gauge_.combine(x.midpoints());
   const std::vector<HullColumn> basis = basis_near(proposal, balls_, spanning);
-  const Interval bound = gauge_bound(x, balls_, proposal, basis, family_.precision);
+  const Interval bound = gauge_bound(x, balls_, proposal, basis, spanning, family_.precision);
   const bool inside = certainly_at_most(bound, Interval(1)) || is_exactly_inside(image, basis);
   return inside ? Interval(1) : bound;
 }
@@ -213,8 +214,8 @@ std::optional<PolytopeProof> InvariantPolytope::prove(const Deadline& deadline) 
   const auto spanning = spanning_columns(balls_, goal_.complex_hull, family_.precision);
   if (!spanning) return std::nullopt;
   gauge_.condition();
-  // Images that are vertices by definition have the bound 1, or 1 + slack.
-  Interval bound = Interval(1).with_precision(family_.precision) + Interval(goal_.slack);
+  // Images that are vertices by definition have the bound 1.
+  Interval bound = Interval(1).with_precision(family_.precision);
   for (const Image& image : open_images(0, vertices_.size())) {
     if (deadline.passed()) return std::nullopt;
     const Interval at_image = image_bound(image, *spanning);
@@ -222,7 +223,7 @@ std::optional<PolytopeProof> InvariantPolytope::prove(const Deadline& deadline) 
     if (!certainly_at_most(at_image, Interval(1))) unproved_.push_back(image);
     bound = max(bound, at_image);
   }
-  return PolytopeProof{bound, certainly_at_most(bound, Interval(1))};
+  return PolytopeProof{bound, goal_.slack == 0 && certainly_at_most(bound, Interval(1))};
 }
 
 bool InvariantPolytope::append_unproved() {

@@ -42,9 +42,10 @@ struct PolytopeProof {
 /// point. The proof is not: vertices are balls around exactly defined vectors, and every image is written as
 /// a combination of vertices that is valid for all vectors in the balls, or exactly for rational data.
 ///
-/// Images that are multiples of a vertex by definition need no combination: the cycle of a word w with radius
-/// r, v, T_{w_1} v / r, T_{w_2} T_{w_1} v / r^2, ..; and every vertex that is defined as T_i v / (radius (1 +
-/// slack)) of an earlier one.
+/// Without slack, images that are multiples of a vertex by definition need no combination: the cycle of a
+/// word w with radius r, v, T_{w_1} v / r, T_{w_2} T_{w_1} v / r^2, ..; and every vertex that is defined as
+/// T_i v / radius of an earlier one. With slack, vertices are the doubles themselves, all images are checked,
+/// and the proof holds for all matrices in wide balls.
 class InvariantPolytope {
  public:
   InvariantPolytope(const MatrixFamily& family, const AdaptedFamily& adapted, PolytopeGoal goal);
