@@ -1,0 +1,18 @@
+#pragma once
+
+#include "analysis/enclosure.h"
+#include "analysis/transition_matrices.h"
+
+namespace subdiv {
+
+/// The Sobolev exponent sup { s : the basis function has s derivatives in L_2 } of a scheme with the symbol's
+/// normal form, when its shifts are independent:
+///
+///   s = n - 1/2 - 1/2 log_m rho(M),   M = (r_{m i - j}), |i|, |j| <= K,   r(z) = b(z) b(1/z),
+///
+/// n the number of factors, rho(M) the largest eigenvalue of the transfer operator (Eirola, SIAM J. Math.
+/// Anal. 23, 1992; Villemoes, SIAM J. Math. Anal. 23, 1992). The Hoelder exponent lies in [s - 1/2, s].
+[[nodiscard]] Enclosure sobolev_exponent(const NormalForm<Rational>& form);
+[[nodiscard]] Enclosure sobolev_exponent(const NormalForm<Interval>& form);
+
+}  // namespace subdiv
