@@ -89,7 +89,7 @@ Json analysis_json(const SchemeAnalysis& analysis) {
                {"sum_rules", analysis.sum_rules},
                {"generation_degree", analysis.generation_degree},
                {"reproduction_degree", analysis.reproduction_degree}};
-  json["eigenvalues"] = Json::array();
+  json["eigenvalues"] = analysis.skipped.empty() ? Json::array() : Json(nullptr);
   for (const EigenvalueText& eigenvalue : analysis.eigenvalues)
     json["eigenvalues"].push_back(to_json(eigenvalue));
   json["limit_mask"] = to_json(analysis.limit_mask);
@@ -99,6 +99,7 @@ Json analysis_json(const SchemeAnalysis& analysis) {
   Json reasons = Json::object();
   if (!analysis.tangent_mask.mask) reasons["tangent_mask"] = analysis.tangent_mask.reason;
   if (!analysis.area_mask.mask) reasons["area_mask"] = analysis.area_mask.reason;
+  if (!analysis.skipped.empty()) reasons["eigenvalues"] = reasons["regularity"] = analysis.skipped;
   if (!reasons.empty()) json["reasons"] = std::move(reasons);
   return json;
 }
@@ -176,6 +177,7 @@ void print(const SchemeAnalysis& analysis) {
   print_line("generation degree", std::to_string(analysis.generation_degree));
   print_line("reproduction degree", std::to_string(analysis.reproduction_degree));
   std::string name = "eigenvalues";
+  if (!analysis.skipped.empty()) print_line(name, analysis.skipped);
   for (const EigenvalueText& eigenvalue : analysis.eigenvalues) {
     print_line(name, eigenvalue_line(eigenvalue));
     name.clear();
@@ -194,8 +196,11 @@ void print(const SchemeAnalysis& analysis) {
     print_line(name, necessary_line(c, regularity.parameter));
     name.clear();
   }
-  if (regularity.necessary.empty())
+  if (!analysis.skipped.empty()) {
+    print_line("regularity", analysis.skipped);
+  } else if (regularity.necessary.empty()) {
     print_line("regularity", "not decided for several free parameters: give values");
+  }
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <array>
 #include <functional>
 #include <stdexcept>
+#include <type_traits>
 
 #include "analysis/area_mask.h"
 #include "analysis/eigenvalues.h"
@@ -105,6 +106,18 @@ void require_limit_mask(const SchemeDescription& description, const Scheme<R>& s
                    limit_mask.reason + "); choose other values");
 }
 
+/// Why the expensive questions are left out; empty when they are not.
+template <class R>
+std::string too_long(const Scheme<R>& scheme) {
+  constexpr int most = std::is_same_v<R, Rational> ? 40 : 16;
+  for (const Mask<R>& mask : scheme.steps) {
+    if (mask.symbol.size() <= most) continue;
+    return "not computed: the mask has " + std::to_string(mask.symbol.size()) +
+           " coefficients, exact answers are given up to " + std::to_string(most);
+  }
+  return "";
+}
+
 template <class R>
 SchemeAnalysis analyse_over(const SchemeDescription& description, const Scheme<R>& scheme) {
   const Names& names = description.free_parameters;
@@ -124,8 +137,11 @@ SchemeAnalysis analyse_over(const SchemeDescription& description, const Scheme<R
   result.sum_rules = sum_rule_order(scheme);
   result.generation_degree = generation_degree(scheme);
   result.reproduction_degree = reproduction_degree(scheme);
-  result.eigenvalues = eigenvalue_texts(scheme.last(), names);
   result.tangent_mask = answer<R>([&] { return vertex_tangent_mask(scheme); }, names);
+  result.skipped = too_long(scheme);
+  result.area_mask.reason = result.skipped;
+  if (!result.skipped.empty()) return result;
+  result.eigenvalues = eigenvalue_texts(scheme.last(), names);
   result.area_mask = answer<R>([&] { return area_mask(scheme); }, names);
   result.regularity = regularity(scheme.last(), names);
   return result;

@@ -69,6 +69,7 @@ struct SchemeAnalysis {
   int sum_rules = 0;
   int generation_degree = 0;
   int reproduction_degree = 0;
+  std::string skipped;  // why eigenvalues, area mask and regularity were left out; else empty
   std::vector<EigenvalueText> eigenvalues;
   MaskAnswer limit_mask;
   MaskAnswer tangent_mask;

@@ -98,6 +98,15 @@ TEST(Analyze, ForPeopleItSaysTheSame) {
   }
 }
 
+TEST(Analyze, LongMasksGetTheCheapAnswers) {
+  const Json json = analysis_of("bspline:degree=45", 3);
+  EXPECT_EQ(json["sum_rules"], 46);
+  EXPECT_FALSE(json["limit_mask"].is_null());
+  EXPECT_TRUE(json["eigenvalues"].is_null());
+  EXPECT_EQ(json["regularity"]["status"], "undecided");
+  expect_contains(json["reasons"]["area_mask"].get<std::string>(), "47 coefficients");
+}
+
 TEST(Analyze, BadSchemesEndWith2AndSayWhereAndWhat) {
   const auto rejected = [](const std::string& scheme, const Strings& parts) {
     expect_rejected(run_program({"analyze", scheme}), parts);
