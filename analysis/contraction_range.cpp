@@ -106,18 +106,29 @@ Rational between(const Algebraic& from, const Algebraic& to, const Rational& par
 std::optional<Matrix<Function>> critical_vertices(const std::vector<Matrix<Function>>& matrices,
                                                   const Matrix<Function>& leading,
                                                   const std::optional<Matrix<Function>>& mirror,
-                                                  const Rational& at) {
+                                                  const Rational& at,
+                                                  const std::vector<Matrix<Function>>& beginnings) {
   const auto start = critical_vector(leading, at);
   if (!start) return std::nullopt;
   const Function longer = fraction<Function>(101, 100);
   constexpr std::size_t most_vertices = 60;
   Hull hull(mirror, at);
   hull.add(*start);
-  const Vector<Function> image = leading * *start;  // inside for every p, see the header
+  std::vector<Vector<Function>> inside;  // for every p, see the header
+  for (const Matrix<Function>& beginning : beginnings) {
+    inside.emplace_back(beginning * *start);
+    hull.add(inside.back());
+  }
+  inside.emplace_back(leading * *start);
+  const auto is_known = [&](const Vector<Function>& v) {
+    return std::ranges::any_of(inside, [&](const Vector<Function>& known) {
+      return v == known || (mirror && v == Vector<Function>(*mirror * known));
+    });
+  };
   for (std::size_t j = 0; j < hull.vertices().size(); ++j) {
     for (const Matrix<Function>& t : matrices) {
       const Vector<Function> v = t * hull.vertices()[j];
-      if (v == image || (mirror && v == Vector<Function>(*mirror * image)) || hull.contains(v)) continue;
+      if (is_known(v) || hull.contains(v)) continue;
       hull.add(Vector<Function>(v.unaryExpr([&](const Function& f) { return f * longer; })));
       if (hull.vertices().size() > most_vertices) return std::nullopt;
     }

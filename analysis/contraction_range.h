@@ -27,10 +27,12 @@ struct ContractionRange {
 /// The other vertices are images under products of the family that leave the hull of those before at p = at,
 /// lengthened by 1/100. When the family is invariant under conjugation with an involution F, give it as
 /// `mirror`: vertices then come in pairs v, F v. Nothing when the eigenvector is not found in floating point
-/// or more than 60 vertices are needed.
+/// or more than 60 vertices are needed. A leading product of several factors T_k .. T_1 needs its shorter
+/// products T_1, T_2 T_1, .. as `beginnings`: the images of v under them are vertices as they are.
 [[nodiscard]] std::optional<Matrix<RationalFunction>> critical_vertices(
     const std::vector<Matrix<RationalFunction>>& matrices, const Matrix<RationalFunction>& leading,
-    const std::optional<Matrix<RationalFunction>>& mirror, const Rational& at);
+    const std::optional<Matrix<RationalFunction>>& mirror, const Rational& at,
+    const std::vector<Matrix<RationalFunction>>& beginnings = {});
 
 /// Proves that the joint spectral radius is below 1 exactly in the open interval `range` with finite ends, as
 /// far as the part inside is concerned: one of the ends is the p* of `leading`. That it is not below 1 at and

@@ -8,9 +8,6 @@
 namespace subdiv {
 namespace {
 
-/// Images are contained when their gauge is at most 1 - margin.
-constexpr double margin = 1e-4;
-
 /// The entries within 4 roundoff, relatively, or within the smallest positive number.
 Eigen::MatrixXd nearby(const Matrix<Rational>& m) {
   return m.unaryExpr([](const Rational& q) { return q.to_double(); });
@@ -42,7 +39,7 @@ double gauge_bound(const Eigen::MatrixXd& t, const Eigen::VectorXd& v, const Sym
 }  // namespace
 
 std::optional<std::size_t> contracting_polytope(const std::vector<Matrix<Rational>>& matrices,
-                                                std::size_t most) {
+                                                std::size_t most, double margin) {
   const Eigen::Index n = matrices.at(0).rows();
   std::vector<Eigen::MatrixXd> family;
   for (const Matrix<Rational>& m : matrices) family.push_back(nearby(m));

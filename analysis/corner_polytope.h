@@ -15,8 +15,9 @@ namespace subdiv {
 ///
 /// The search starts from the unit vectors and adds images that are not inside. Vertices and coefficients are
 /// doubles; each containment T v = sum c_k v_k + rest is checked by itself: sum |c_k| + |rest|_1, which
-/// bounds the gauge of T v, stays below 1 with a bound of all rounding errors.
+/// bounds the gauge of T v, stays at most 1 - margin with a bound of all rounding errors. A margin far above
+/// those errors and below the distance of the radius from 1 serves; larger ones need fewer vertices.
 [[nodiscard]] std::optional<std::size_t> contracting_polytope(const std::vector<Matrix<Rational>>& matrices,
-                                                              std::size_t most);
+                                                              std::size_t most, double margin = 1e-4);
 
 }  // namespace subdiv

@@ -25,35 +25,40 @@ std::vector<std::vector<Interval>> powers_of(const std::vector<Interval>& x, lon
 }  // namespace
 
 std::vector<ExpandingCondition> expanding_conditions(const std::vector<Matrix<RationalFunction>>& family,
+                                                     const Word& word) {
+  std::vector<ExpandingCondition> result;
+  for (const auto& [base, multiplicity] : factor(characteristic_equation(product(family, word))).factors) {
+    const std::vector<Polynomial> c = base.coefficients_in(eigenvalue_variable);
+    if (c.size() < 2) continue;
+    const Polynomial& leading = c.back();
+    const Polynomial scale = leading.is_constant() ? Polynomial(Rational(1) / leading.constant()) : leading;
+    Polynomial at_one;
+    Polynomial at_minus_one;  // times (-1)^degree
+    for (std::size_t i = 0; i < c.size(); ++i) {
+      at_one += c[i];
+      at_minus_one += (c.size() - 1 - i) % 2 == 0 ? c[i] : -c[i];
+    }
+    for (const Polynomial& g : {at_one, at_minus_one, leading - c[0], leading + c[0]})
+      result.push_back({word, g * scale});
+  }
+  return result;
+}
+
+std::vector<ExpandingCondition> expanding_conditions(const std::vector<Matrix<RationalFunction>>& family,
                                                      int longest) {
   std::vector<ExpandingCondition> result;
-  const auto add = [&](const Word& word, const Polynomial& g) {
+  const auto add = [&](ExpandingCondition condition) {
     for (ExpandingCondition& known : result) {
-      if (!(known.g == g)) continue;
-      if (word.size() < known.word.size()) known.word = word;
+      if (!(known.g == condition.g)) continue;
+      if (condition.word.size() < known.word.size()) known.word = std::move(condition.word);
       return;
     }
-    result.push_back({word, g});
+    result.push_back(std::move(condition));
   };
   const int letters = static_cast<int>(family.size());
   for (Word word = next_lyndon_word({}, letters, longest); !word.empty();
        word = next_lyndon_word(word, letters, longest)) {
-    for (const auto& [base, multiplicity] : factor(characteristic_equation(product(family, word))).factors) {
-      const std::vector<Polynomial> c = base.coefficients_in(eigenvalue_variable);
-      if (c.size() < 2) continue;
-      if (!c.back().is_constant()) throw std::domain_error("the entries of the family are no polynomials");
-      const Polynomial scale(Rational(1) / c.back().constant());
-      Polynomial at_one;
-      Polynomial at_minus_one;  // times (-1)^degree
-      for (std::size_t i = 0; i < c.size(); ++i) {
-        at_one += c[i] * scale;
-        at_minus_one += ((c.size() - 1 - i) % 2 == 0 ? c[i] : -c[i]) * scale;
-      }
-      for (const Polynomial& g :
-           {at_one, at_minus_one, Polynomial(1) - c[0] * scale, Polynomial(1) + c[0] * scale}) {
-        add(word, g);
-      }
-    }
+    for (ExpandingCondition& condition : expanding_conditions(family, word)) add(std::move(condition));
   }
   return result;
 }

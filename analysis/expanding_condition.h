@@ -8,16 +8,20 @@
 
 namespace subdiv {
 
-/// A polynomial g over Q in the parameters of a family T_0, T_1, ..: wherever g <= 0, the product of this
-/// word has a spectral radius of at least 1.
+/// A polynomial g over Q in the parameters of a family T_0, T_1, ..: wherever g <= 0 and the family has no
+/// pole, the product of this word has a spectral radius of at least 1.
 struct ExpandingCondition {
   Word word;
   Polynomial g;
 };
 
-/// From the irreducible factors f(x) = x^d + .. + f_0 of the characteristic polynomials of all Lyndon words
-/// up to a length: f(1), (-1)^d f(-1) and 1 -+ f_0; each polynomial once, with a shortest word. Entries are
-/// polynomials in the parameters (std::domain_error otherwise).
+/// From the irreducible factors f(x) = f_d x^d + .. + f_0 of the characteristic equation of a word's product,
+/// f_d with no zero but at poles: f(1), (-1)^d f(-1) and f_d -+ f_0, each times f_d, or divided by it when it
+/// is constant.
+[[nodiscard]] std::vector<ExpandingCondition> expanding_conditions(
+    const std::vector<Matrix<RationalFunction>>& family, const Word& word);
+
+/// Those of all Lyndon words up to a length; each polynomial once, with a shortest word.
 [[nodiscard]] std::vector<ExpandingCondition> expanding_conditions(
     const std::vector<Matrix<RationalFunction>>& family, int longest);
 

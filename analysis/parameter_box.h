@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "schemes/algebra/rational.h"
+
+namespace subdiv {
+
+/// Parameters x_i in [lower_i, upper_i].
+struct ParameterBox {
+  std::vector<Rational> lower;
+  std::vector<Rational> upper;
+
+  [[nodiscard]] Rational volume() const {
+    Rational product(1);
+    for (std::size_t k = 0; k < lower.size(); ++k) product *= upper[k] - lower[k];
+    return product;
+  }
+};
+
+}  // namespace subdiv
