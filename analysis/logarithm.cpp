@@ -52,7 +52,8 @@ std::optional<Rational> rational_logarithm(const Algebraic& x, int base) {
 std::string text(const Rational& offset, int base, int divisor, const Algebraic& x) {
   const std::string name = "log" + std::to_string(base) + "(";
   const std::string end = divisor == 1 ? ")" : ")/" + std::to_string(divisor);
-  if (!x.is_rational()) return offset.to_string() + "-" + name + x.to_string() + end;
+  const std::string plain = (offset.sign() == 0 ? "" : offset.to_string()) + "-" + name + x.to_string() + end;
+  if (!x.is_rational()) return plain;
   const Split split = split_off_powers(x.to_rational(), base);
   const Rational rest_offset = offset - Rational(split.k, divisor);
   const std::string constant = rest_offset.sign() == 0 ? "" : rest_offset.to_string();
@@ -60,7 +61,7 @@ std::string text(const Rational& offset, int base, int divisor, const Algebraic&
   const Rational inverse = Rational(1) / split.rest;
   if (inverse.is_integer())
     return constant + (constant.empty() ? "" : "+") + name + inverse.to_string() + end;
-  return offset.to_string() + "-" + name + x.to_string() + end;
+  return plain;
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "analysis/enclosure.h"
+#include "analysis/joint_spectral_radius.h"
 #include "analysis/transition_matrices.h"
 
 namespace subdiv {
@@ -12,7 +13,9 @@ namespace subdiv {
 ///
 /// n the number of factors, rho(M) the largest eigenvalue of the transfer operator (Eirola, SIAM J. Math.
 /// Anal. 23, 1992; Villemoes, SIAM J. Math. Anal. 23, 1992). The Hoelder exponent lies in [s - 1/2, s].
-[[nodiscard]] Enclosure sobolev_exponent(const NormalForm<Rational>& form);
-[[nodiscard]] Enclosure sobolev_exponent(const NormalForm<Interval>& form);
+[[nodiscard]] Enclosure sobolev_exponent(const NormalForm<Rational>& form,
+                                         const JointSpectralRadiusBudget& budget = {});
+[[nodiscard]] Enclosure sobolev_exponent(const NormalForm<Interval>& form,
+                                         const JointSpectralRadiusBudget& budget = {});
 
 }  // namespace subdiv

@@ -1,52 +1,57 @@
 #include "analysis/transition_matrices.h"
 
+#include "analysis/jsr/ball_matrix.h"
+
 namespace subdiv {
 namespace {
 
-/// The first coefficients of 1 / sigma(z)^power = ((1 - z) / (1 - z^m))^power.
-std::vector<Rational> inverse_series(int arity, int power, int length) {
-  const auto size = static_cast<std::size_t>(length);
-  const auto m = static_cast<std::size_t>(arity);
-  std::vector<Rational> series(size, Rational(0));
-  if (size > 0) series[0] = Rational(1);
-  for (int p = 0; p < power; ++p) {
-    for (std::size_t i = size; i-- > 1;) series[i] -= series[i - 1];
-    for (std::size_t i = m; i < size; ++i) series[i] += series[i - m];
+/// C with C b = sigma^factors b for polynomials b of the given number of coefficients.
+Matrix<Interval> convolution(int arity, int factors, int columns) {
+  const Laurent<Interval> sigma = pow(smoothing_factor<Interval>(arity), factors);
+  Matrix<Interval> result = zero_matrix<Interval>(columns + sigma.size() - 1, columns);
+  for (Eigen::Index j = 0; j < columns; ++j) {
+    for (int i = 0; i < sigma.size(); ++i) result(i + j, j) = sigma[i];
   }
-  return series;
+  return result;
 }
 
-const Interval& narrower(const Interval& a, const Interval& b) { return a.radius() <= b.radius() ? a : b; }
+Interval real_part(const BallMatrix& column, long i, long precision) {
+  Interval result = Interval(0).with_precision(precision);
+  arb_set(result.raw(), acb_realref(column.at(i, 0)));
+  return result;
+}
 
 }  // namespace
 
 NormalForm<Interval> normal_form(const Mask<Interval>& mask, int factors) {
-  const std::vector<Interval>& a = mask.symbol.coefficients();
-  const int length = static_cast<int>(a.size()) - factors * (mask.arity - 1);
+  const auto refuse = [] { throw std::domain_error("the coefficients contradict the assumed sum rules"); };
+  const int length = mask.symbol.size() - factors * (mask.arity - 1);
   if (length < 1) throw std::domain_error("so many sum rules force the symbol to be zero");
-  // Quotients of power series from either end: both hold, the one nearer to its end is narrower.
-  const std::vector<Rational> series = inverse_series(mask.arity, factors, length);
-  const auto size = static_cast<std::size_t>(length);
-  std::vector<Interval> quotient;
-  for (std::size_t i = 0; i < size; ++i) {
-    Interval below(0);
-    for (std::size_t j = 0; j <= i; ++j) below += Interval(series[i - j], a[j].working_precision()) * a[j];
-    Interval above(0);
-    for (std::size_t j = 0; j < size - i; ++j) {
-      const Interval& c = a[a.size() - 1 - j];
-      above += Interval(series[size - 1 - i - j], c.working_precision()) * c;
-    }
-    if (!below.overlaps(above)) throw std::domain_error("the coefficients contradict the assumed sum rules");
-    quotient.push_back(narrower(below, above));
+  if (factors == 0) return normal_form(mask.arity, 0, mask.symbol);
+  // b = (C^T C)^-1 C^T a: of all left inverses of C, the least squares spread the errors of a little.
+  constexpr long bits_per_factor = 8;  // what the conditioning of C^T C may cost
+  const long precision = Interval::default_precision + bits_per_factor * factors;
+  const Matrix<Interval> c = convolution(mask.arity, factors, length);
+  const Matrix<Interval> transposed = c.transpose();
+  const std::optional<BallMatrix> inverse =
+      solve(multiply(BallMatrix(transposed), BallMatrix(c), precision), BallMatrix(transposed), precision);
+  if (!inverse) throw std::domain_error("so many sum rules are beyond the working precision");
+  Matrix<Interval> values(mask.symbol.size(), 1);
+  for (int i = 0; i < mask.symbol.size(); ++i)
+    values(i, 0) = mask.symbol.coefficients()[static_cast<std::size_t>(i)];
+  const BallMatrix a(values);
+  // a - C b vanishes for the masks in question: C (C^T C)^-1 C^T projects onto them.
+  BallMatrix projector = multiply(BallMatrix(c), *inverse, precision);
+  for (long i = 0; i < projector.rows(); ++i)
+    acb_sub_si(projector.at(i, i), projector.at(i, i), 1, precision);
+  const BallMatrix rest = multiply(projector, a, precision);
+  for (long i = 0; i < rest.rows(); ++i) {
+    if (!real_part(rest, i, precision).contains_zero()) refuse();
   }
-  Laurent<Interval> cofactor(mask.symbol.first(), std::move(quotient));
-  const Laurent<Interval> product = pow(smoothing_factor<Interval>(mask.arity), factors) * cofactor;
-  for (int i = mask.symbol.first(); i <= mask.symbol.last(); ++i) {
-    if (!product[i].overlaps(mask.symbol[i])) {
-      throw std::domain_error("the coefficients contradict the assumed sum rules");
-    }
-  }
-  return normal_form(mask.arity, factors, cofactor);
+  const BallMatrix b = multiply(*inverse, a, precision);
+  std::vector<Interval> cofactor;
+  for (long i = 0; i < b.rows(); ++i) cofactor.push_back(real_part(b, i, Interval::default_precision));
+  return normal_form(mask.arity, factors, Laurent<Interval>(mask.symbol.first(), std::move(cofactor)));
 }
 
 }  // namespace subdiv

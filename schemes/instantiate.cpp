@@ -60,7 +60,7 @@ void reject_sum(const SchemeDescription& scheme, const StepDescription& step, co
   } else if (sums_within_rounding(scheme, step)) {
     message +=
         ", no more than the rounding of the written decimals; write the coefficients exactly, as fractions "
-        "or with sqrt, or more digits of one of them";
+        "or with sqrt, or let 'analyze --rounded' take every decimal as an interval";
   } else {
     message += "; mend the coefficients or the arity";
   }
@@ -77,6 +77,12 @@ std::string shown(const Rational& x) {
   constexpr int digits = 17;
   const std::string exact = x.to_string();
   return exact.size() <= readable ? exact : "about " + to_significant(x, digits);
+}
+
+std::string shown(const Algebraic& x) {
+  if (x.is_rational()) return shown(x.to_rational());
+  constexpr int digits = 4;
+  return x.to_string() + " (about " + to_significant(x.to_interval().midpoint(), digits) + ")";
 }
 
 }  // namespace detail

@@ -25,6 +25,7 @@ void require_size(const StepDescription& step, int size);
                              const std::string& sum, const std::string& miss);
 /// Text for a message: the exact value, and its size where that is hard to see.
 [[nodiscard]] std::string shown(const Rational& x);
+[[nodiscard]] std::string shown(const Algebraic& x);
 
 /// Evaluates the steps of a scheme over R, with given values for the free parameters and a way to represent
 /// numbers (ExactLiteral or IntervalLiteral).
@@ -162,7 +163,7 @@ class Evaluator {
     } else if constexpr (std::is_same_v<R, Rational>) {
       reject_sum(scheme_, step, shown(total), shown(miss));
     } else {
-      reject_sum(scheme_, step, total.to_string(), miss.to_string());
+      reject_sum(scheme_, step, shown(total), shown(miss));
     }
   }
 

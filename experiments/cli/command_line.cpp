@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <iostream>
 #include <thread>
@@ -24,6 +25,17 @@ void add_jobs(CLI::App& verb, int& jobs) {
   verb.add_option("--jobs,-j", jobs, "Experiments that run at the same time (default: one a processor)")
       ->type_name("N")
       ->check(CLI::Range(1, most));
+}
+
+/// A finite number above 0.
+CLI::Validator positive_number() {
+  return {[](const std::string& text) {
+            double value = 0;
+            const bool number = CLI::detail::lexical_cast(text, value);
+            return number && value > 0 && std::isfinite(value) ? ""
+                                                               : "must be a positive number, not " + text;
+          },
+          "POSITIVE"};
 }
 
 /// The command line: CLI11 fills the options, the chosen verb's callback stands in `action`.
@@ -85,11 +97,20 @@ struct CommandLine {
     verb.add_option("SCHEME", options.scheme,
                     "NAME or FILE.json, parameters after a colon; steps joined by +, the last repeats")
         ->required();
+    verb.add_option("--budget", options.budget,
+                    "Time for a joint spectral radius; then the enclosure reached is the answer")
+        ->type_name("SECONDS")
+        ->check(positive_number())
+        ->capture_default_str();
+    verb.add_flag(
+        "--rounded", options.rounded,
+        "Take each decimal in a scheme file as rounded: an interval of half a unit of its last digit");
     verb.add_flag("--json", options.json, "Machine-readable output; numbers are strings");
     verb.footer(std::string("Examples:  subdivlab analyze jspline:s=3/2\n"
                             "           subdivlab analyze jspline:s=-33/26+jspline:s=3/2 --json\n"
                             "           subdivlab analyze four-point:w=w      (w stays free)\n"
-                            "           subdivlab analyze my-scheme.json:w=1/16\n\n") +
+                            "           subdivlab analyze my-scheme.json:w=1/16\n"
+                            "           subdivlab analyze decimals.json --rounded --budget 5\n\n") +
                 exit_codes);
     verb.callback([this] { action = [this] { return analyze(analyze_options); }; });
   }

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "analysis/decision.h"
 #include "experiments/report/record.h"
 #include "schemes/scheme_description.h"
 
@@ -49,14 +50,48 @@ struct ContinuityText {
   int power = 0;                        // certified: the power of the iterate whose norm is below 1
 };
 
-/// What can be said about smoothness of the repeating step's limits: certified by a power of the difference
-/// scheme whose norm is below 1, and Reif's necessary condition. Without free parameters one entry each at
-/// most.
+/// A real number as text: its ends, its closed form where it has one, and both in short for people.
+struct EnclosureText {
+  DecimalEnds ends;
+  std::string exact;
+  std::string line;  // "3-log2(73/100) = 3.454031630894707..", "2", "1.0000 +- 7e-13", "in [1.9, 2.1]"
+  Rigour rigour = Rigour::certified;
+  Status status = Status::closed;
+};
+
+/// Continuity and Hoelder exponent, of a scheme's differences or of its limits (analysis/hoelder.h).
+struct SmoothnessText {
+  int continuity = -1;        // C^continuity is proved; -1: nothing
+  int continuity_limit = -1;  // and nothing above this one is possible
+  Decision converges = Decision::undecided;
+  EnclosureText exponent;
+  Decision attained = Decision::undecided;
+  int factors = 0;       // smoothing factors of the symbol
+  EnclosureText radius;  // joint spectral radius of the transition matrices of what they leave
+  EnclosureText growth;  // of the first differences from step to step: below 1 for convergent schemes
+  std::vector<std::string> words;  // products with that radius
+
+  [[nodiscard]] bool closed() const {
+    return continuity == continuity_limit && exponent.status == Status::closed;
+  }
+};
+
+/// What can be said about smoothness of the repeating step. Without free parameters: decided by the joint
+/// spectral radius, with a power of the difference scheme whose norm is below 1 and Reif's necessary
+/// condition as second routes (at most one entry each). With a free parameter: sets of it from these two.
 struct RegularityText {
   std::string parameter;  // the free one that the sets speak of; empty without
   std::vector<ContinuityText> certified;
-  std::vector<ContinuityText> necessary;
-  bool closed = false;  // both say the same
+  std::vector<ContinuityText> necessary;  // of the scheme, in the sense of its differences
+  std::optional<SmoothnessText> scheme;
+  std::optional<SmoothnessText> limits;
+  Decision independent_shifts = Decision::undecided;
+  std::string shift_factor;  // t(z) of analysis/unstable_shifts.h; empty when it is 1
+  std::optional<EnclosureText> l2_exponent;
+  std::optional<EnclosureText> single_matrix_radius;  // for symbols that are not negative
+  std::vector<std::string> assumptions;               // sum rules that rounded coefficients only allow
+
+  [[nodiscard]] bool closed() const { return scheme && scheme->closed() && limits->closed(); }
 };
 
 struct SchemeAnalysis {
@@ -68,8 +103,9 @@ struct SchemeAnalysis {
   std::string parametric_shift;
   int sum_rules = 0;
   int generation_degree = 0;
-  int reproduction_degree = 0;
-  std::string skipped;  // why eigenvalues, area mask and regularity were left out; else empty
+  std::optional<int> reproduction_degree;
+  std::string skipped;  // why eigenvalues and other answers were left out; else empty
+  std::string remark;   // a suspicion about rounded coefficients; else empty
   std::vector<EigenvalueText> eigenvalues;
   MaskAnswer limit_mask;
   MaskAnswer tangent_mask;
@@ -77,8 +113,9 @@ struct SchemeAnalysis {
   RegularityText regularity;
 };
 
-/// Everything that can be said of a scheme, exact over the smallest ring that holds its masks. Throws
-/// InputError when no exact ring does, or when the scheme has no limit mask (J_s at s = -6).
-[[nodiscard]] SchemeAnalysis analyse(const SchemeDescription& description);
+/// Everything that can be said of a scheme, exact over the smallest ring that holds its masks; over intervals
+/// when no exact ring does or its decimals are rounded. The joint spectral radius may take the given time.
+/// Throws InputError when the scheme is not affinely invariant or has no limit mask (J_s at s = -6).
+[[nodiscard]] SchemeAnalysis analyse(const SchemeDescription& description, double seconds);
 
 }  // namespace subdiv::cli

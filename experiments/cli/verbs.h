@@ -31,6 +31,8 @@ struct CheckOptions {
 
 struct AnalyzeOptions {
   std::string scheme;
+  double budget = 30;    // seconds for each joint spectral radius
+  bool rounded = false;  // decimals in scheme files stand for intervals of half a unit of their last digit
   bool json = false;
 };
 /// Prints everything that can be said of a scheme.

@@ -183,7 +183,7 @@ TEST(RoundedMasks, MissTheSumByARoundingErrorUnlessAskedFor) {
         "mask": {"first": 0, "coefficients": [0.683013, 1.183013, 0.316987, "-0.183012"]}})json");
   expect_input_error([&] { return parse_scheme(off); },
                      {"off.json", "sum to 2.000001,", "minus 2 is 0.000001,",
-                      "no more than the rounding of the written decimals", "as fractions or with sqrt"});
+                      "no more than the rounding of the written decimals", "as fractions or with sqrt", "--rounded"});
   const SchemeDescription rounded = parse_scheme(off, {.rounded = true});
   EXPECT_TRUE(rounded.rounded);
   // Too far for rounding: no advice to ask for it, and no pardon.
