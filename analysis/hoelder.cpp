@@ -26,12 +26,25 @@ void raise_to_least_radius(JointSpectralRadius& radius, int arity) {
   radius.value.upper = std::max(radius.value.upper, least);
 }
 
-void decide_continuity(Smoothness& result) {
+/// Whether further factors sigma(z) / m of b are not excluded: its residue sums may all be 1/m.
+template <class R>
+bool may_have_more_factors(const NormalForm<R>& form) {
+  if constexpr (std::is_same_v<R, Interval>) {
+    for (int r = 0; r < form.arity; ++r) {
+      if (!sum(residue_class(form.b, r, form.arity)).contains(Rational(1, form.arity))) return false;
+    }
+    return true;
+  } else {
+    return false;
+  }
+}
+
+void decide_continuity(Smoothness& result, int most_factors) {
   const Enclosure& exponent = result.exponent;
   const bool first_sum_rule = result.factors > 0;
   result.continuity = first_sum_rule ? std::max(integer_below(exponent.lower), -1) : -1;
   result.continuity_limit =
-      first_sum_rule ? std::clamp(integer_below(exponent.upper), -1, result.factors - 1) : -1;
+      most_factors > 0 ? std::clamp(integer_below(exponent.upper), -1, most_factors - 1) : -1;
   if (result.continuity >= 0) {
     result.converges = Decision::yes;
   } else if (result.continuity_limit < 0) {
@@ -84,25 +97,26 @@ bool some_product_grows(const std::vector<Matrix<Rational>>& family) {
 }
 
 /// Whether the products of a family of joint spectral radius 1 are bounded.
-Decision are_bounded(const std::vector<Matrix<Rational>>& family, const JointSpectralRadiusBudget& budget) {
+Decision are_bounded(const std::vector<Matrix<Rational>>& family, long precision, const Deadline& deadline) {
   constexpr Eigen::Index largest = 16;
+  constexpr std::size_t most_vertices = 120;
   if (family[0].rows() > largest) return Decision::undecided;
   if (some_product_grows(family)) return Decision::no;
-  const Deadline deadline(budget.seconds);
-  const BlockRadius radius = block_radius(matrix_family(family, budget.precision), budget.vertices, deadline);
+  const BlockRadius radius =
+      block_radius(matrix_family(family, precision), most_vertices, deadline, Wanted::closed_polytope);
   return radius.closed && radius.exact == Algebraic(1) ? Decision::yes : Decision::undecided;
 }
 
 template <class R>
-Decision is_attained(const NormalForm<R>& form, const Smoothness& found,
-                     const JointSpectralRadiusBudget& budget) {
+Decision is_attained(const NormalForm<R>& form, const Smoothness& found, long precision,
+                     const Deadline& deadline) {
   if (!found.radius.attained || found.converges != Decision::yes) return Decision::undecided;
   if (!contains_integer(found.exponent)) return found.radius.bounded;
   if constexpr (std::is_same_v<R, Rational>) {
     const Rational exponent = found.exponent.lower;
     if (exponent != found.exponent.upper) return Decision::undecided;
     const auto order = static_cast<int>(exponent.to_integer());
-    return are_bounded(divided_difference_matrices(form, order), budget);
+    return are_bounded(divided_difference_matrices(form, order), precision, deadline);
   } else {
     return Decision::undecided;
   }
@@ -110,14 +124,23 @@ Decision is_attained(const NormalForm<R>& form, const Smoothness& found,
 
 template <class R>
 Smoothness analyse(const NormalForm<R>& form, const JointSpectralRadiusBudget& budget) {
+  const Deadline deadline(budget.seconds);
   Smoothness result;
   result.factors = form.factors;
   result.radius = joint_spectral_radius(transition_matrices(form), budget);
   raise_to_least_radius(result.radius, form.arity);
   result.exponent =
       minus_logarithm(Rational(form.factors - 1), form.arity, 1, result.radius.value, result.radius.exact);
-  decide_continuity(result);
-  result.attained = is_attained(form, result, budget);
+  // With a further factor b = sigma / m c, rho(b) is the larger of 1/m and rho(c) / m: only above 1/m does it
+  // tell the exponent.
+  int most_factors = form.factors;
+  if (result.radius.value.lower == Rational(1, form.arity) && may_have_more_factors(form)) {
+    most_factors += form.degree() / (form.arity - 1);
+    result.exponent.upper = std::max(result.exponent.upper, Rational(most_factors));
+    if (most_factors > form.factors) result.exponent.status = Status::ambiguous;
+  }
+  decide_continuity(result, most_factors);
+  result.attained = is_attained(form, result, budget.precision, deadline);
   return result;
 }
 

@@ -20,7 +20,9 @@ namespace subdiv {
 struct Smoothness {
   int factors = 0;  // n
   JointSpectralRadius radius;
-  /// At most n, because rho >= 1/m. Not positive for a scheme that diverges.
+  /// At most n, because rho >= 1/m. Not positive for a scheme that diverges. Where coefficients are
+  /// intervals that do not exclude further factors, a radius that may be 1/m leaves every exponent above
+  /// open, up to the number of factors that the degree allows.
   Enclosure exponent;
   Decision converges = Decision::undecided;
   /// C^k is proved for k up to `continuity` (-1: not even C^0), and excluded above `continuity_limit`.
@@ -57,9 +59,13 @@ struct SmoothnessReport {
 template <class R>
 SmoothnessReport<R> smoothness_report(const NormalForm<R>& form,
                                       const JointSpectralRadiusBudget& budget = {}) {
-  SmoothnessReport<R> result{smoothness(form, budget), {}, independent_form(form)};
+  SmoothnessReport<R> result{{}, {}, independent_form(form)};
   const NormalForm<R>& reduced = result.reduction.form;
-  result.limits = result.reduction.t.size() == 1 ? result.scheme : smoothness(reduced, budget);
+  const bool same = result.reduction.t.size() == 1;
+  JointSpectralRadiusBudget each = budget;
+  if (!same) each.seconds /= 2;
+  result.scheme = smoothness(form, each);
+  result.limits = same ? result.scheme : smoothness(reduced, each);
   if (result.reduction.reduced_independent != Decision::yes) {
     const int degree = reduced.degree() + reduced.factors * (reduced.arity - 1);
     result.limits = at_least(result.limits, degree, reduced.arity);

@@ -7,14 +7,16 @@
 #include <utility>
 
 #include "analysis/jsr/adapted_basis.h"
+#include "analysis/jsr/balanced_scales.h"
 #include "analysis/jsr/candidate_products.h"
 #include "analysis/jsr/invariant_polytope.h"
 #include "analysis/jsr/leading_vectors.h"
+#include "analysis/jsr/single_matrix.h"
 
 namespace subdiv {
 namespace {
 
-/// Words whose radius comes this close to the best one start polytopes together with it.
+/// Words whose radius comes so close to the best one may have the same.
 constexpr double tie = 1e-9;
 constexpr std::size_t most_ties = 6;
 /// Degree of a number field in which images on the boundary are worth an exact decision.
@@ -71,23 +73,26 @@ Interval trace_bound(const AdaptedFamily& family, const Word& word) {
 /// One attempt after another on a family of dimension above 1.
 class Search {
  public:
-  Search(const MatrixFamily& family, std::size_t most_vertices, const Deadline& deadline)
+  Search(const MatrixFamily& family, std::size_t most_vertices, const Deadline& deadline, Wanted wanted)
       : family_(family),
         most_vertices_(most_vertices),
         deadline_(deadline),
+        wanted_(wanted),
         adapted_(adapt(family, Eigen::MatrixXd::Identity(family.dimension(), family.dimension()))) {}
 
   BlockRadius run();
 
  private:
   void improve_upper_by_norms();
+  bool norm_suffices();
   void choose_words();
   void start_from(const std::vector<Word>& words);
   [[nodiscard]] std::vector<Word> with_mirror_image(const Word& word) const;
   void close();
   Growth close_with_ties();
-  Growth try_cycles(const std::vector<LeadingVector>& starts, const Rational& ratio,
+  Growth try_cycles(const std::vector<LeadingVector>& starts, const std::vector<Rational>& scales,
                     std::shared_ptr<const NumberField> field);
+  [[nodiscard]] std::vector<std::vector<Rational>> scalings(const std::vector<LeadingVector>& starts) const;
   bool try_slack(double slack);
   Growth grow(InvariantPolytope& polytope, std::size_t most_vertices);
   bool improve_upper(InvariantPolytope& polytope);
@@ -97,6 +102,7 @@ class Search {
   const MatrixFamily& family_;
   std::size_t most_vertices_;
   const Deadline& deadline_;
+  Wanted wanted_;
   AdaptedFamily adapted_;
   std::vector<LeadingVector> starts_;
   Interval radius_;
@@ -113,7 +119,8 @@ void Search::improve_upper_by_norms() {
     const Interval by_rows = infinity_norm(t, family_.precision);
     norms[0] = max(norms[0], by_columns);
     norms[1] = max(norms[1], by_rows);
-    norms[2] = max(norms[2], sqrt(by_columns * by_rows));
+    const Interval both = by_columns * by_rows;  // may reach below 0 for wide balls
+    norms[2] = max(norms[2], certainly_positive(both) ? sqrt(both) : max(by_columns, by_rows));
   }
   for (const Interval& norm : norms) {
     if (!result_.upper.is_finite() || norm.upper() < result_.upper.upper()) result_.upper = norm;
@@ -152,11 +159,12 @@ void Search::start_from(const std::vector<Word>& words) {
       starts_.push_back(std::move(v));
     }
   }
+  // Words that only come close, often long ones, would have their vertices for nothing.
+  std::erase_if(starts_, [&](const LeadingVector& v) { return certainly_less(v.radius, radius_); });
   result_.lower = radius_;
   result_.words.clear();
   for (const LeadingVector& start : starts_) {
-    const bool listed = !result_.words.empty() && result_.words.back() == start.word;
-    if (!listed && start.radius.overlaps(radius_)) result_.words.push_back(start.word);
+    if (result_.words.empty() || result_.words.back() != start.word) result_.words.push_back(start.word);
   }
   if (!starts_.empty()) return;
   result_.words = words;
@@ -188,16 +196,15 @@ std::optional<Algebraic> Search::exact_form() const {
   return result;
 }
 
-/// Q(radius), when all the vectors have one radius of moderate degree and are real.
+/// Q(radius), when its degree is moderate and all the given vectors have this very radius. One less by less
+/// than the balls show would make exact vertices other than those in the balls.
 std::shared_ptr<const NumberField> Search::field_of(const std::vector<LeadingVector>& starts) const {
-  std::optional<Algebraic> result;
-  for (const LeadingVector& start : starts) {
-    if (!start.is_real()) return nullptr;
-    const std::optional<Algebraic> radius = exact_radius(family_, start);
-    if (!radius || radius->degree() > largest_field || (result && !(*result == *radius))) return nullptr;
-    result = radius;
-  }
-  return result ? std::make_shared<const NumberField>(*result) : nullptr;
+  const std::optional<Algebraic> largest = starts.empty() ? std::nullopt : exact_form();
+  if (!largest || largest->degree() > largest_field) return nullptr;
+  const bool all_equal = std::all_of(starts.begin(), starts.end(), [&](const LeadingVector& start) {
+    return start.is_real() && exact_radius(family_, start) == largest;
+  });
+  return all_equal ? std::make_shared<const NumberField>(*largest) : nullptr;
 }
 
 /// Grows until closed and spanning; directions that the images do not reach are added as small vectors.
@@ -231,17 +238,13 @@ bool Search::improve_upper(InvariantPolytope& polytope) {
   return true;
 }
 
-/// Starts with the cycles of the given vectors, each shorter than the one before by the ratio.
-Growth Search::try_cycles(const std::vector<LeadingVector>& starts, const Rational& ratio,
+/// Starts with the cycles of the given vectors times the scales.
+Growth Search::try_cycles(const std::vector<LeadingVector>& starts, const std::vector<Rational>& scales,
                           std::shared_ptr<const NumberField> field) {
   const bool real =
       std::all_of(starts.begin(), starts.end(), [](const LeadingVector& v) { return v.is_real(); });
   InvariantPolytope polytope(family_, adapted_, {radius_, std::move(field), 0, !real, seek_better_word_});
-  Rational scale(1);
-  for (const LeadingVector& start : starts) {
-    polytope.add_cycle(start, scale);
-    scale *= ratio;
-  }
+  for (std::size_t i = 0; i < starts.size(); ++i) polytope.add_cycle(starts[i], scales[i]);
   const std::size_t most = real ? most_vertices_ : std::min(most_vertices_, most_complex_vertices);
   Growth outcome = grow(polytope, most);
   constexpr int most_repairs = 8;
@@ -272,6 +275,16 @@ bool Search::try_slack(double slack) {
   return improve_upper(polytope) && closed;
 }
 
+/// A norm that is no larger than the radius ends the search: all products are within it.
+bool Search::norm_suffices() {
+  if (!certainly_at_most(result_.upper, radius_)) return false;
+  result_.upper = radius_;
+  result_.closed = true;
+  result_.bounded = Decision::yes;
+  result_.exact = exact_form();
+  return true;
+}
+
 /// Follows the words that seem better, as long as they are so for certain.
 void Search::close() {
   constexpr int most_rounds = 8;
@@ -287,15 +300,29 @@ void Search::close() {
     result_.words = words;
     seek_better_word_ = false;
   }
-  if (result_.closed) return;
+  if (result_.closed || wanted_ == Wanted::closed_polytope) return;
   for (const double slack : {1e-1, 1e-2, 1e-3, 1e-4, 1e-6, 1e-8, 1e-10}) {
     if (deadline_.passed() || !try_slack(slack)) return;
   }
 }
 
+/// The scales to try for several cycles. Cycles of equal lengths may meet in one vertex that ball arithmetic
+/// cannot tell from two; of different lengths they do not.
+std::vector<std::vector<Rational>> Search::scalings(const std::vector<LeadingVector>& starts) const {
+  const std::size_t count = starts.size();
+  std::vector<std::vector<Rational>> result{std::vector<Rational>(count, Rational(1))};
+  if (count < 2) return result;
+  std::vector<Rational> balanced = balanced_scales(adapted_, starts);
+  if (balanced != result[0]) result.push_back(std::move(balanced));
+  for (const Rational& ratio : {Rational(1023, 1024), Rational(15, 16)}) {
+    result.emplace_back();
+    for (std::size_t i = 0; i < count; ++i) result.back().push_back(pow(ratio, static_cast<long>(i)));
+  }
+  return result;
+}
+
 /// Real cycles alone may do, and are cheaper. With a rational radius, exact arithmetic settles images on the
-/// boundary; otherwise they become vertices at first. Cycles of equal lengths may meet in one vertex that
-/// ball arithmetic cannot tell from two; of different lengths they do not.
+/// boundary; otherwise they become vertices at first.
 Growth Search::close_with_ties() {
   std::vector<LeadingVector> real;
   std::copy_if(starts_.begin(), starts_.end(), std::back_inserter(real),
@@ -303,21 +330,24 @@ Growth Search::close_with_ties() {
   const std::shared_ptr<const NumberField> field = field_of(real);
   const auto settled = [&](Growth outcome) { return result_.closed || outcome == Growth::better_word; };
   Growth outcome = Growth::closed;
-  if (field && field->modulus.degree() == 1) {
-    outcome = try_cycles(real, 1, field);
-    if (settled(outcome)) return outcome;
-  }
+  const auto with_field = [&] {
+    for (const std::vector<Rational>& scales : scalings(real)) {
+      outcome = try_cycles(real, scales, field);
+      if (settled(outcome)) break;
+    }
+    return settled(outcome);
+  };
+  if (field && field->modulus.degree() == 1 && with_field()) return outcome;
   std::vector<std::vector<LeadingVector>> choices;
   if (!real.empty() && real.size() < starts_.size()) choices.push_back(real);
   choices.push_back(starts_);
   for (const std::vector<LeadingVector>& starts : choices) {
-    for (const Rational& ratio : {Rational(1), Rational(1023, 1024), Rational(15, 16)}) {
-      if (ratio != Rational(1) && starts.size() < 2) break;
-      outcome = try_cycles(starts, ratio, nullptr);
+    for (const std::vector<Rational>& scales : scalings(starts)) {
+      outcome = try_cycles(starts, scales, nullptr);
       if (settled(outcome)) return outcome;
     }
   }
-  if (field && field->modulus.degree() > 1) outcome = try_cycles(real, 1, field);
+  if (field && field->modulus.degree() > 1) (void)with_field();
   return outcome;
 }
 
@@ -326,15 +356,37 @@ BlockRadius Search::run() {
   result_.lower = Interval(0).with_precision(family_.precision);
   improve_upper_by_norms();
   if (family_.dimension() <= largest_block) choose_words();
-  if (certainly_positive(radius_)) close();
+  if (certainly_positive(radius_) && !norm_suffices()) close();
   return std::move(result_);
+}
+
+/// Of two matrices or more, or a closed form of one: only rational ones of moderate size have it.
+BlockRadius of_matrices(const MatrixFamily& family, std::size_t most_vertices, const Deadline& deadline,
+                        Wanted wanted) {
+  if (family.size() > 1) return Search(family, most_vertices, deadline, wanted).run();
+  constexpr Eigen::Index largest_exact = 20;
+  BlockRadius result;
+  if (!family.exact.empty() && family.dimension() <= largest_exact)
+    result = Search(family, most_vertices, deadline, Wanted::closed_polytope).run();
+  if (result.closed) return result;
+  if (std::optional<BlockRadius> enclosed = single_matrix_radius(family)) return *std::move(enclosed);
+  return Search(family, most_vertices, deadline, wanted).run();
 }
 
 }  // namespace
 
-BlockRadius block_radius(const MatrixFamily& family, std::size_t most_vertices, const Deadline& deadline) {
+BlockRadius block_radius(const MatrixFamily& family, std::size_t most_vertices, const Deadline& deadline,
+                         Wanted wanted) {
   if (family.dimension() == 1) return of_scalars(family);
-  return Search(family, most_vertices, deadline).run();
+  const ReducedFamily smaller = reduced(family);
+  BlockRadius result = of_matrices(smaller.family, most_vertices, deadline, wanted);
+  arb_mul_2exp_si(result.lower.raw(), result.lower.raw(), smaller.exponent);
+  arb_mul_2exp_si(result.upper.raw(), result.upper.raw(), smaller.exponent);
+  if (result.exact) result.exact = *result.exact * Algebraic(Rational::power_of_two(smaller.exponent));
+  for (Word& word : result.words) {
+    for (int& letter : word) letter = smaller.letters[static_cast<std::size_t>(letter)];
+  }
+  return result;
 }
 
 }  // namespace subdiv

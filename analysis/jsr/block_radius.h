@@ -23,9 +23,12 @@ struct BlockRadius {
   std::size_t vertices = 0;                // of the polytope that gives the upper bound
 };
 
+/// Either the best bounds within the time, or only the attempts that can close.
+enum class Wanted { bounds, closed_polytope };
+
 /// A family without common invariant subspaces is what this is made for; others may stay open. Stops at the
 /// deadline with the bounds reached.
 [[nodiscard]] BlockRadius block_radius(const MatrixFamily& family, std::size_t most_vertices,
-                                       const Deadline& deadline);
+                                       const Deadline& deadline, Wanted wanted = Wanted::bounds);
 
 }  // namespace subdiv

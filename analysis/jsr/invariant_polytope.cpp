@@ -223,7 +223,7 @@ std::optional<PolytopeProof> InvariantPolytope::prove(const Deadline& deadline) 
     if (!certainly_at_most(at_image, Interval(1))) unproved_.push_back(image);
     bound = max(bound, at_image);
   }
-  return PolytopeProof{bound, goal_.slack == 0 && certainly_at_most(bound, Interval(1))};
+  return PolytopeProof{bound, certainly_at_most(bound, Interval(1))};
 }
 
 bool InvariantPolytope::append_unproved() {

@@ -24,6 +24,17 @@ struct MatrixFamily {
 [[nodiscard]] MatrixFamily matrix_family(std::vector<Matrix<Interval>> matrices, long precision);
 [[nodiscard]] std::vector<Eigen::MatrixXd> to_double(const std::vector<Matrix<Interval>>& matrices);
 
+/// 2^-exponent T over the distinct matrices T of a family, with entries of moderate size.
+struct ReducedFamily {
+  MatrixFamily family;
+  long exponent = 0;
+  std::vector<int> letters;  // the places of the matrices kept in the given family
+};
+
+/// Matrices that are the same up to sign are kept once: neither matters to the joint spectral radius. So that
+/// floating point can be used on matrices of any size, the largest entry is brought near 1.
+[[nodiscard]] ReducedFamily reduced(const MatrixFamily& family);
+
 /// A family in the coordinates of a basis B of doubles, taken as exact numbers: balls of B^-1 T B, and their
 /// midpoints.
 struct AdaptedFamily {
