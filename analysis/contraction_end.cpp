@@ -122,9 +122,10 @@ Rational part_of_way(const Algebraic& end, const Rational& inside, const Rationa
   return simplest_between(from + step - slack, from + step + slack);
 }
 
-std::optional<ContractionEnd> prove_near(const Family& matrices, const Matrix<Function>& vertices,
+std::optional<ContractionEnd> prove_near(const Family& matrices, int length, const Matrix<Function>& vertices,
                                          const Algebraic& end, const Rational& inside) {
-  constexpr std::array parts{2, 8, 64, 1024};
+  constexpr std::array parts{32, 1024, 32768};
+  const Family products = all_products(matrices, length);
   for (const int part : parts) {
     const Rational cut = part_of_way(end, inside, Rational(1, part));
     const bool upwards = end > Algebraic(cut);
@@ -132,8 +133,8 @@ std::optional<ContractionEnd> prove_near(const Family& matrices, const Matrix<Fu
                                       : RealInterval{end, Algebraic(cut), false, true};
     constexpr int most_ranges = 8;
     auto polytopes =
-        prove_containment(matrices, vertices, Function(1), near, Containment::interior, most_ranges);
-    if (polytopes) return ContractionEnd{end, cut, std::move(*polytopes)};
+        prove_containment(products, vertices, Function(1), near, Containment::interior, most_ranges);
+    if (polytopes) return ContractionEnd{end, cut, length, std::move(*polytopes)};
   }
   return std::nullopt;
 }
@@ -144,15 +145,19 @@ std::optional<ContractionEnd> prove_contraction_at_end(const Family& matrices, c
                                                        const Algebraic& end, const Rational& inside) {
   if (end.is_rational()) {
     if (const auto vertices = standing_vertices(matrices, end.to_rational())) {
-      if (auto proof = prove_near(matrices, *vertices, end, inside)) return proof;
+      if (auto proof = prove_near(matrices, 1, *vertices, end, inside)) return proof;
     }
+  }
+  const Matrix<Function> unit = identity_matrix<Function>(matrices[0].rows());
+  for (const int length : {2, 3}) {
+    if (auto proof = prove_near(matrices, length, unit, end, inside)) return proof;
   }
   constexpr int closeness = 1000;
   const Rational at = part_of_way(end, inside, Rational(1, closeness));
   for (const Leading& leading : leading_products(matrices, word, end)) {
     const auto vertices = critical_vertices(matrices, leading.matrix, leading.mirror, at, leading.beginnings);
     if (!vertices) continue;
-    if (auto proof = prove_near(matrices, *vertices, end, inside)) return proof;
+    if (auto proof = prove_near(matrices, 1, *vertices, end, inside)) return proof;
   }
   return std::nullopt;
 }

@@ -9,17 +9,20 @@
 namespace subdiv {
 
 /// Proof that the joint spectral radius of T_0(p), T_1(p), .. is below 1 for all p between `end`, which is
-/// left out, and `cut`, which belongs to it: one polytope or several.
+/// left out, and `cut`, which belongs to it: polytopes that all products of one length map into themselves
+/// and contract.
 struct ContractionEnd {
   Algebraic end;
   Rational cut;
+  int length = 1;
   std::vector<PolytopeProof> polytopes;
 };
 
 /// Looks for that proof at the number `end` where the product of a word gets the eigenvalue 1 or -1, with the
 /// cut between `end` and `inside`. Tried are
 ///
-///   polytopes that stand still: images of the unit vectors at p = end, which must be rational;
+///   polytopes that stand still: images of the unit vectors at p = end, which must be rational; and the unit
+///   ball of the 1-norm for products of the length 2 or 3;
 ///   polytopes that move: the orbit of an adjugate column (contraction_range.h) for the product, or, where
 ///   the family is invariant under the reversal F of the coordinates and the word is u followed by its mirror
 ///   image, for F T_u, the square of which is a product.

@@ -6,6 +6,7 @@
 
 #include <Eigen/Dense>
 
+#include "analysis/jsr/word.h"
 #include "analysis/sign_on_interval.h"
 #include "analysis/symmetric_gauge.h"
 #include "schemes/algebra/specialize.h"
@@ -80,18 +81,6 @@ Matrix<Function> as_columns(const std::vector<Vector<Function>>& vectors) {
   return result;
 }
 
-std::vector<Matrix<Function>> products(const std::vector<Matrix<Function>>& matrices, int length) {
-  std::vector<Matrix<Function>> result{identity_matrix<Function>(matrices[0].rows())};
-  for (int i = 0; i < length; ++i) {
-    std::vector<Matrix<Function>> longer;
-    for (const auto& p : result) {
-      for (const auto& t : matrices) longer.push_back(t * p);
-    }
-    result = std::move(longer);
-  }
-  return result;
-}
-
 /// A rational number a given part of the way from one end of the range to the other.
 Rational between(const Algebraic& from, const Algebraic& to, const Rational& part) {
   const Rational a = from.to_interval().midpoint();
@@ -158,8 +147,8 @@ std::optional<ContractionRange> prove_contraction(const std::vector<Matrix<Funct
     const RealInterval far =
         upwards ? RealInterval{other, cut, false, true} : RealInterval{cut, other, true, false};
     for (int length = 1; length <= longest; ++length) {
-      auto norms = prove_containment(products(matrices, length), identity_matrix<Function>(n), Function(1),
-                                     far, Containment::interior, 1);
+      auto norms = prove_containment(all_products(matrices, length), identity_matrix<Function>(n),
+                                     Function(1), far, Containment::interior, 1);
       if (!norms) continue;
       auto polytopes = prove_containment(matrices, *vertices, Function(1), near, Containment::interior);
       if (!polytopes) return std::nullopt;

@@ -45,22 +45,29 @@ std::vector<ExpandingCondition> expanding_conditions(const std::vector<Matrix<Ra
 }
 
 std::vector<ExpandingCondition> expanding_conditions(const std::vector<Matrix<RationalFunction>>& family,
-                                                     int longest) {
-  std::vector<ExpandingCondition> result;
-  const auto add = [&](ExpandingCondition condition) {
-    for (ExpandingCondition& known : result) {
-      if (!(known.g == condition.g)) continue;
-      if (condition.word.size() < known.word.size()) known.word = std::move(condition.word);
-      return;
-    }
-    result.push_back(std::move(condition));
-  };
+                                                     int longest, const Deadline& deadline) {
   const int letters = static_cast<int>(family.size());
+  std::vector<Word> words;
   for (Word word = next_lyndon_word({}, letters, longest); !word.empty();
        word = next_lyndon_word(word, letters, longest)) {
-    for (ExpandingCondition& condition : expanding_conditions(family, word)) add(std::move(condition));
+    words.push_back(word);
+  }
+  std::ranges::stable_sort(words, {}, &Word::size);
+  std::vector<ExpandingCondition> result;
+  for (const Word& word : words) {
+    if (deadline.passed()) break;
+    for (ExpandingCondition& condition : expanding_conditions(family, word)) {
+      const auto is_it = [&](const ExpandingCondition& known) { return known.g == condition.g; };
+      if (std::ranges::none_of(result, is_it)) result.push_back(std::move(condition));
+    }
   }
   return result;
+}
+
+std::vector<ExpandingCondition> expanding_conditions(const std::vector<Matrix<RationalFunction>>& family,
+                                                     int longest) {
+  constexpr double for_ever = 1e9;
+  return expanding_conditions(family, longest, Deadline(for_ever));
 }
 
 RangedPolynomial::RangedPolynomial(const Polynomial& p, std::size_t variables)

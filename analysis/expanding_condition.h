@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "analysis/deadline.h"
 #include "analysis/jsr/word.h"
 #include "schemes/algebra/interval.h"
 #include "schemes/algebra/matrix.h"
@@ -21,7 +22,10 @@ struct ExpandingCondition {
 [[nodiscard]] std::vector<ExpandingCondition> expanding_conditions(
     const std::vector<Matrix<RationalFunction>>& family, const Word& word);
 
-/// Those of all Lyndon words up to a length; each polynomial once, with a shortest word.
+/// Those of all Lyndon words up to a length, shorter words first, as many as are ready when the deadline
+/// passes; each polynomial once, with a shortest word.
+[[nodiscard]] std::vector<ExpandingCondition> expanding_conditions(
+    const std::vector<Matrix<RationalFunction>>& family, int longest, const Deadline& deadline);
 [[nodiscard]] std::vector<ExpandingCondition> expanding_conditions(
     const std::vector<Matrix<RationalFunction>>& family, int longest);
 

@@ -21,7 +21,7 @@ double largest_radius(const Families& families, int longest) {
   for (const std::vector<Matrix<Rational>>& exact : families) {
     std::vector<Eigen::MatrixXd> family;
     for (const Matrix<Rational>& matrix : exact) {
-      family.push_back(matrix.unaryExpr([](const Rational& q) { return q.to_double(); }));
+      family.emplace_back(matrix.unaryExpr([](const Rational& q) { return q.to_double(); }));
       if (!family.back().allFinite()) return std::numeric_limits<double>::infinity();
     }
     const int letters = static_cast<int>(family.size());
@@ -56,8 +56,12 @@ std::optional<Word> expanding_word(const std::vector<std::pair<Word, RangedPolyn
 
 CellDecider::CellDecider(const std::vector<Matrix<RationalFunction>>& family, std::size_t dimension,
                          const CellOptions& options)
+    : CellDecider(family, dimension, expanding_conditions(family, options.longest_word), options) {}
+
+CellDecider::CellDecider(const std::vector<Matrix<RationalFunction>>& family, std::size_t dimension,
+                         const std::vector<ExpandingCondition>& conditions, const CellOptions& options)
     : options_(options), hull_(family, dimension) {
-  for (const ExpandingCondition& c : expanding_conditions(family, options.longest_word)) {
+  for (const ExpandingCondition& c : conditions) {
     conditions_.emplace_back(c.word, RangedPolynomial(c.g, dimension));
   }
 }

@@ -34,8 +34,11 @@ struct CellOptions {
 /// (expanding_condition.h) holds on all of it, in ball arithmetic.
 class CellDecider {
  public:
+  /// With the conditions of all words up to options.longest_word.
   CellDecider(const std::vector<Matrix<RationalFunction>>& family, std::size_t dimension,
               const CellOptions& options = {});
+  CellDecider(const std::vector<Matrix<RationalFunction>>& family, std::size_t dimension,
+              const std::vector<ExpandingCondition>& conditions, const CellOptions& options);
 
   [[nodiscard]] MapCell decide(const ParameterBox& box) const;
 

@@ -5,27 +5,10 @@
 #include <string>
 #include <utility>
 
+#include "analysis/cell_refinement.h"
 #include "analysis/transition_matrices.h"
 
 namespace subdiv {
-namespace {
-
-/// The cell halved in all directions.
-std::vector<ParameterBox> children(const ParameterBox& box) {
-  std::vector<ParameterBox> result;
-  for (std::size_t c = 0; c < std::size_t{1} << box.lower.size(); ++c) {
-    ParameterBox child = box;
-    for (std::size_t k = 0; k < box.lower.size(); ++k) {
-      const Rational middle = (box.lower[k] + box.upper[k]) / Rational(2);
-      ((c >> k & 1) != 0 ? child.lower : child.upper)[k] = middle;
-    }
-    result.push_back(std::move(child));
-  }
-  return result;
-}
-
-}  // namespace
-
 Rational RadiusMap::volume(Decision below) const {
   Rational sum(0);
   for (const MapCell& cell : cells) {
@@ -49,7 +32,7 @@ RadiusMap radius_map(const std::vector<Matrix<RationalFunction>>& family, const 
     if (cell.below != Decision::undecided || depth == 0) {
       map.cells.push_back(std::move(cell));
     } else {
-      for (const ParameterBox& child : children(cell_box)) visit(child, depth - 1);
+      for (const ParameterBox& child : halved(cell_box)) visit(child, depth - 1);
     }
   };
   visit(box, options.depth);

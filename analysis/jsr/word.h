@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "schemes/algebra/matrix.h"
@@ -20,6 +21,20 @@ template <class M>
 M product(const std::vector<M>& family, const Word& word) {
   M result = M::Identity(family[0].rows(), family[0].cols());
   for (const int letter : word) result = (family[static_cast<std::size_t>(letter)] * result).eval();
+  return result;
+}
+
+/// The products of all words of a length >= 0.
+template <class M>
+std::vector<M> all_products(const std::vector<M>& family, int length) {
+  std::vector<M> result{M::Identity(family[0].rows(), family[0].cols())};
+  for (int i = 0; i < length; ++i) {
+    std::vector<M> longer;
+    for (const M& p : result) {
+      for (const M& t : family) longer.push_back(t * p);
+    }
+    result = std::move(longer);
+  }
   return result;
 }
 

@@ -48,6 +48,7 @@ struct CommandLine {
   CheckOptions check_options;
   AnalyzeOptions analyze_options;
   OptimizeOptions optimize_options;
+  CertifyOptions certify_options;
   ListOptions list_options;
 
   CommandLine() {
@@ -60,6 +61,7 @@ struct CommandLine {
     add_check();
     add_analyze();
     add_optimize();
+    add_certify();
     add_list();
   }
 
@@ -138,6 +140,31 @@ struct CommandLine {
                             "fit-bspline:degree=2 --norm l1\n\n") +
                 exit_codes);
     verb.callback([this] { action = [this] { return optimize(optimize_options); }; });
+  }
+
+  void add_certify() {
+    auto& options = certify_options;
+    CLI::App& verb = *app.add_subcommand("certify", "Prove smoothness for whole ranges of parameters");
+    verb.add_option("SCHEME", options.scheme, "The scheme; names as values leave parameters free")
+        ->required();
+    verb.add_option("--over", options.over, "A range for each free parameter")
+        ->type_name("s=LO..HI[,...]")
+        ->required();
+    constexpr int most = 1000;
+    verb.add_option("--continuity", options.continuity, "C^M: the differences of order M + 1 decide")
+        ->type_name("M")
+        ->check(CLI::Range(0, most))
+        ->required();
+    verb.add_option("--budget", options.budget, "Time; what is left then is undecided")
+        ->type_name("SECONDS")
+        ->check(positive_number())
+        ->capture_default_str();
+    verb.add_flag("--json", options.json, "Machine-readable output; numbers are strings");
+    verb.footer(std::string("Examples:  subdivlab certify jspline:s=s --over s=-3..7 --continuity 1\n"
+                            "           subdivlab certify jspline:a=a,b=b --over a=-4..7,b=-5..10 "
+                            "--continuity 1 --json\n\n") +
+                exit_codes);
+    verb.callback([this] { action = [this] { return certify(certify_options); }; });
   }
 
   void add_list() {

@@ -1,14 +1,13 @@
-#include <algorithm>
 #include <iostream>
 #include <stdexcept>
 
 #include <nlohmann/json.hpp>
 
+#include "experiments/cli/over.h"
 #include "experiments/cli/verbs.h"
 #include "experiments/report/record.h"
 #include "experiments/report/utf8.h"
 #include "optimize/objectives.h"
-#include "schemes/expression.h"
 #include "schemes/input_error.h"
 #include "schemes/instantiate.h"
 #include "schemes/text.h"
@@ -25,61 +24,10 @@ Norm parse_norm(const std::string& name) {
   throw InputError("--norm: " + in_quotes(name) + " is no norm; expected l1, l2 or linf");
 }
 
-Rational parse_end(std::string_view text, const std::string& place) {
-  try {
-    return evaluate_constant<Rational>(Expression::parse(text));
-  } catch (const InputError& error) {
-    throw InputError(place + error.what());
-  }
-}
-
-struct NamedRange {
-  std::string name;
-  Range range;
-};
-
-/// One piece "s=LO..HI" of --over.
-NamedRange parse_range(std::string_view text) {
-  const std::string place = "--over " + in_quotes(text) + ": ";
-  const std::size_t equals = text.find('=');
-  const std::size_t dots = text.find("..", equals == std::string_view::npos ? 0 : equals);
-  if (equals == std::string_view::npos || dots == std::string_view::npos) {
-    throw InputError(place + "expected parameter=LO..HI, such as s=-1.7..5.8");
-  }
-  const Range range{parse_end(trimmed(text.substr(equals + 1, dots - equals - 1)), place),
-                    parse_end(trimmed(text.substr(dots + 2)), place)};
-  if (range.lower >= range.upper) throw InputError(place + "the lower end must be below the upper end");
-  return {std::string(trimmed(text.substr(0, equals))), range};
-}
-
-/// The ranges in the order of the scheme's free parameters, each given exactly once.
-std::vector<Range> parse_over(std::string_view text, const std::vector<std::string>& free_parameters) {
-  if (free_parameters.empty()) {
-    throw InputError(
-        "the scheme has no free parameter to optimise over; give a parameter a name as its value, such as "
-        "jspline:s=s");
-  }
-  std::vector<NamedRange> given;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    given.push_back(parse_range(trimmed(text.substr(begin, end - begin))));
-    begin = end + 1;
-  }
+std::vector<Range> parse_box(const std::string& over, const std::vector<std::string>& free_parameters) {
   std::vector<Range> box;
-  for (const std::string& name : free_parameters) {
-    const auto is_it = [&](const NamedRange& range) { return range.name == name; };
-    const auto count = std::count_if(given.begin(), given.end(), is_it);
-    if (count == 0)
-      throw InputError("--over: the free parameter " + in_quotes(name) + " has no range; add " + name +
-                       "=LO..HI");
-    if (count > 1) throw InputError("--over: " + in_quotes(name) + " has two ranges; give one");
-    box.push_back(std::find_if(given.begin(), given.end(), is_it)->range);
-  }
-  for (const NamedRange& range : given) {
-    if (std::find(free_parameters.begin(), free_parameters.end(), range.name) != free_parameters.end())
-      continue;
-    throw InputError("--over: " + in_quotes(range.name) + " is no free parameter of the scheme; it has " +
-                     joined(free_parameters, "and"));
+  for (const ParameterRange& range : parse_over(over, free_parameters, RangeEnds::differ)) {
+    box.push_back({range.lower, range.upper});
   }
   return box;
 }
@@ -165,7 +113,7 @@ int optimize(const OptimizeOptions& options) {
   const Objective objective = parse_objective(options.objective);
   const Problem question{.residuals = {},
                          .norm = parse_norm(options.norm),
-                         .box = parse_over(options.over, description.free_parameters),
+                         .box = parse_box(options.over, description.free_parameters),
                          .names = description.free_parameters};
   const Summary summary =
       minimise(symbolic_scheme(description), objective, question.norm, question.box, question.names);

@@ -48,6 +48,16 @@ struct OptimizeOptions {
 /// Minimises a named objective over a box of the scheme's free parameters, with proof.
 [[nodiscard]] int optimize(const OptimizeOptions& options);
 
+struct CertifyOptions {
+  std::string scheme;
+  std::string over;  // "w=0..1/10"; a range may be one value, w=1/16..1/16
+  int continuity = 0;
+  double budget = 10;  // seconds
+  bool json = false;
+};
+/// Proves or refutes a class of continuity for all values of the scheme's free parameters in a box.
+[[nodiscard]] int certify(const CertifyOptions& options);
+
 struct ListOptions {
   std::string what;  // schemes, claims, objectives, or empty for all three
   bool json = false;
