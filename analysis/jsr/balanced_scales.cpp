@@ -15,8 +15,10 @@ namespace {
 constexpr double most_words = 4096;
 /// A left and a right eigenvector as good as orthogonal belong to a defective eigenvalue.
 constexpr double orthogonal = 1e-6;
-/// Powers of 2^(1/8), rounded to doubles, are near enough.
-constexpr double steps_per_octave = 8;
+/// Shares s between 2^-2 and 2^6 are looked for.
+constexpr double least_octave = -2;
+constexpr double most_octaves = 6;
+constexpr int bisections = 30;
 
 std::complex<double> approximate(acb_srcptr x) {
   return {arf_get_d(arb_midref(acb_realref(x)), ARF_RND_NEAR),
@@ -58,6 +60,17 @@ Eigen::MatrixXd reaches(const AdaptedFamily& family, const Eigen::MatrixXcd& lef
   return reach;
 }
 
+/// The largest products of weights along paths from i to j; 1 for the empty path.
+Eigen::MatrixXd longest_paths(Eigen::MatrixXd weights) {
+  weights.diagonal().setOnes();
+  for (Eigen::Index k = 0; k < weights.rows(); ++k) {
+    const Eigen::VectorXd to = weights.col(k);
+    const Eigen::RowVectorXd from = weights.row(k);
+    weights = weights.cwiseMax(to * from).eval();
+  }
+  return weights;
+}
+
 }  // namespace
 
 std::vector<Rational> balanced_scales(const AdaptedFamily& family,
@@ -75,15 +88,19 @@ std::vector<Rational> balanced_scales(const AdaptedFamily& family,
     right.col(i) = leading.vector.midpoints().col(0);
     radius = std::max(radius, leading.radius.to_double());
   }
-  Eigen::MatrixXd path = reaches(family, left, right, radius);
-  if (!path.allFinite()) return result;
-  for (Eigen::Index k = 0; k < count; ++k) path = path.cwiseMax(path.col(k) * path.row(k));
+  const Eigen::MatrixXd reach = reaches(family, left, right, radius);
+  if (!reach.allFinite()) return result;
+  // The smallest share s with a solution of a_i reach(i, j) <= s a_j, by bisection in powers of two.
+  double low = least_octave;
+  double high = most_octaves;
+  for (int step = 0; step < bisections; ++step) {
+    const double middle = (low + high) / 2;
+    (longest_paths(reach / std::exp2(middle)).diagonal().maxCoeff() > 1 ? low : high) = middle;
+  }
+  const Eigen::MatrixXd path = longest_paths(reach / std::exp2(high));
   for (Eigen::Index j = 0; j < count; ++j) {
-    // a_j >= path(i, j) a_i: the least solution with a >= 1, and the largest with a <= 1.
-    const double least = std::log2(path.col(j).maxCoeff());
-    const double most = -std::log2(path.row(j).maxCoeff());
-    const double exponent = std::round((least + most) / 2 * steps_per_octave) / steps_per_octave;
-    result[static_cast<std::size_t>(j)] = Rational::from_double(static_cast<float>(std::exp2(exponent)));
+    const auto scale = static_cast<float>(path.col(j).maxCoeff());
+    if (std::isfinite(scale)) result[static_cast<std::size_t>(j)] = Rational::from_double(scale);
   }
   return result;
 }

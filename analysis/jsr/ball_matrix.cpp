@@ -82,4 +82,24 @@ Interval infinity_norm(const BallMatrix& a, long precision) {
   return largest;
 }
 
+Interval euclidean_norm_bound(const BallMatrix& a, long precision) {
+  BallMatrix adjoint(a.columns(), a.rows());
+  acb_mat_transpose(adjoint.raw(), a.conjugate().raw());
+  BallMatrix power = multiply(adjoint, a, precision);
+  Interval best = infinity_norm(power, precision);  // its root bounds the norm: the product is Hermitian
+  acb_t trace;
+  acb_init(trace);
+  constexpr ulong squarings = 30;
+  for (ulong k = 0; k <= squarings; ++k) {
+    acb_mat_trace(trace, power.raw(), precision);
+    Interval bound = modulus(trace, precision);
+    arb_root_ui(bound.raw(), bound.raw(), ulong{1} << k, precision);
+    if (!bound.is_finite()) break;
+    if (bound.upper() < best.upper()) best = bound;
+    power = multiply(power, power, precision);
+  }
+  acb_clear(trace);
+  return sqrt(best);
+}
+
 }  // namespace subdiv

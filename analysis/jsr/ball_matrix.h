@@ -55,5 +55,7 @@ class BallMatrix {
 /// Operator norms: the largest column sum and row sum of moduli.
 [[nodiscard]] Interval one_norm(const BallMatrix& a, long precision);
 [[nodiscard]] Interval infinity_norm(const BallMatrix& a, long precision);
+/// An upper bound of the Euclidean operator norm, from traces of powers of A^* A: |A|^(2k) <= tr (A^* A)^k.
+[[nodiscard]] Interval euclidean_norm_bound(const BallMatrix& a, long precision);
 
 }  // namespace subdiv

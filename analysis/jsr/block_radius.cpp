@@ -111,16 +111,13 @@ class Search {
   BlockRadius result_;
 };
 
-/// The operator norms for l_1, l_infinity and, from these, l_2.
+/// The operator norms for l_1, l_infinity and l_2.
 void Search::improve_upper_by_norms() {
   Interval norms[3] = {Interval(0), Interval(0), Interval(0)};
   for (const BallMatrix& t : adapted_.balls) {
-    const Interval by_columns = one_norm(t, family_.precision);
-    const Interval by_rows = infinity_norm(t, family_.precision);
-    norms[0] = max(norms[0], by_columns);
-    norms[1] = max(norms[1], by_rows);
-    const Interval both = by_columns * by_rows;  // may reach below 0 for wide balls
-    norms[2] = max(norms[2], certainly_positive(both) ? sqrt(both) : max(by_columns, by_rows));
+    norms[0] = max(norms[0], one_norm(t, family_.precision));
+    norms[1] = max(norms[1], infinity_norm(t, family_.precision));
+    norms[2] = max(norms[2], euclidean_norm_bound(t, family_.precision));
   }
   for (const Interval& norm : norms) {
     if (!result_.upper.is_finite() || norm.upper() < result_.upper.upper()) result_.upper = norm;
@@ -142,7 +139,12 @@ void Search::choose_words() {
   improve_upper_by_norms();
   std::vector<Word> words;
   double best = 0;
-  for (const CandidateProduct& c : candidate_products(adapted_.approximate, until)) {
+  const std::vector<CandidateProduct> candidates = candidate_products(adapted_.approximate, until);
+  if (!candidates.empty()) {
+    const CandidateProduct climbed = locally_best(adapted_.approximate, candidates[0], until);
+    if (climbed.radius > candidates[0].radius * (1 + tie)) return start_from(with_mirror_image(climbed.word));
+  }
+  for (const CandidateProduct& c : candidates) {
     best = std::max(best, c.radius);
     if (c.radius >= best * (1 - tie) && words.size() < most_ties) words.push_back(c.word);
   }
@@ -293,7 +295,9 @@ void Search::close() {
     const std::vector<LeadingVector> starts = starts_;
     const Interval radius = radius_;
     const std::vector<Word> words = result_.words;
-    start_from(with_mirror_image(better_word_));
+    const CandidateProduct better{
+        better_word_, root_radius(product(adapted_.approximate, better_word_), better_word_.size())};
+    start_from(with_mirror_image(locally_best(adapted_.approximate, better, deadline_).word));
     if (!starts_.empty() && certainly_less(radius, radius_)) continue;
     starts_ = starts;
     radius_ = result_.lower = radius;

@@ -62,10 +62,6 @@ class Collection {
   double threshold_ = 0;
 };
 
-double root_radius(const Eigen::MatrixXd& matrix, std::size_t length) {
-  return std::pow(approximate_radius(matrix), 1.0 / static_cast<double>(length));
-}
-
 /// The length up to which there are about `words` Lyndon words: m^n / n of length n.
 int exhaustive_length(std::size_t letters, int words) {
   if (letters < 2) return 1;
@@ -95,6 +91,26 @@ void try_lyndon_words(const std::vector<Eigen::MatrixXd>& family, int longest, c
     if (deadline.passed()) return;
     previous = word;
   }
+}
+
+/// All words with one letter more, less, or another one.
+std::vector<Word> neighbours(const Word& word, int letters) {
+  std::vector<Word> result;
+  for (std::size_t i = 0; i < word.size(); ++i) {
+    const auto place = static_cast<std::ptrdiff_t>(i);
+    if (word.size() > 1) {
+      result.push_back(word);
+      result.back().erase(result.back().begin() + place);
+    }
+    for (int letter = 0; letter < letters; ++letter) {
+      result.push_back(word);
+      result.back().insert(result.back().begin() + place, letter);
+      if (letter == word[i]) continue;
+      result.push_back(word);
+      result.back()[i] = letter;
+    }
+  }
+  return result;
 }
 
 struct Branch {
@@ -136,6 +152,30 @@ double approximate_radius(const Eigen::MatrixXd& matrix) {
   if (matrix.rows() == 1) return std::abs(matrix(0, 0));
   if (!matrix.allFinite()) return 0;
   return matrix.eigenvalues().cwiseAbs().maxCoeff();
+}
+
+double root_radius(const Eigen::MatrixXd& matrix, std::size_t order) {
+  return std::pow(approximate_radius(matrix), 1.0 / static_cast<double>(order));
+}
+
+CandidateProduct locally_best(const std::vector<Eigen::MatrixXd>& family, const CandidateProduct& start,
+                              const Deadline& deadline) {
+  constexpr std::size_t longest = 160;
+  constexpr double noticeable = 1e-10;  // above the rounding errors of long products
+  const auto letters = static_cast<int>(family.size());
+  CandidateProduct best = start;
+  for (bool improved = true; improved;) {
+    improved = false;
+    const Word centre = best.word;
+    for (const Word& word : neighbours(centre, letters)) {
+      if (deadline.passed()) return best;
+      const double radius = root_radius(product(family, word), word.size());
+      if (!(radius > best.radius * (1 + noticeable))) continue;
+      best = {primitive_rotation(word), radius};
+      improved = best.word.size() < longest;
+    }
+  }
+  return best;
 }
 
 std::vector<CandidateProduct> candidate_products(const std::vector<Eigen::MatrixXd>& family,

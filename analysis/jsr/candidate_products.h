@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include <Eigen/Core>
@@ -33,7 +34,14 @@ struct CandidateSearch {
                                                                const Deadline& deadline,
                                                                const CandidateSearch& search = {});
 
+/// Inserts, drops or changes letters one at a time as long as that makes the radius larger: the best of words
+/// like 0^k 1 with a long run.
+[[nodiscard]] CandidateProduct locally_best(const std::vector<Eigen::MatrixXd>& family,
+                                            const CandidateProduct& start, const Deadline& deadline);
+
 /// The largest modulus of an eigenvalue, in floating point.
 [[nodiscard]] double approximate_radius(const Eigen::MatrixXd& matrix);
+/// Its root of the given order.
+[[nodiscard]] double root_radius(const Eigen::MatrixXd& matrix, std::size_t order);
 
 }  // namespace subdiv
