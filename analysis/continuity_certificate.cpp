@@ -187,16 +187,6 @@ void widen(CertificateCell& cell, const ParameterBox& box, const std::vector<std
   cell.sides = std::move(sides);
 }
 
-void require_no_pole(const Mask<Function>& mask, const ParameterBox& box) {
-  for (const Function& f : mask.symbol.coefficients()) {
-    const Polynomial below = f.denominator();
-    if (below.is_constant()) continue;
-    if (const auto poles = common_roots({below}, box.lower[0], box.upper[0]); !poles.empty()) {
-      throw std::domain_error("division by zero: a coefficient has a pole at " + poles[0].to_string());
-    }
-  }
-}
-
 /// Cells of two and more parameters.
 std::vector<CertificateCell> certify_box(const NormalForm<Function>& form, int continuity,
                                          const ParameterBox& box, const Deadline& deadline,
@@ -263,6 +253,16 @@ std::optional<Decision> ContinuityCertificate::status() const {
   if (count(Decision::no) == 0) return Decision::yes;
   if (count(Decision::yes) == 0) return Decision::no;
   return std::nullopt;
+}
+
+void require_no_pole(const Mask<Function>& mask, const ParameterBox& box) {
+  for (const Function& f : mask.symbol.coefficients()) {
+    const Polynomial below = f.denominator();
+    if (below.is_constant()) continue;
+    if (const auto poles = common_roots({below}, box.lower[0], box.upper[0]); !poles.empty()) {
+      throw std::domain_error("division by zero: a coefficient has a pole at " + poles[0].to_string());
+    }
+  }
 }
 
 ContinuityCertificate certify_continuity(const Mask<Function>& mask, int continuity, const ParameterBox& box,

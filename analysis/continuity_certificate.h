@@ -62,6 +62,10 @@ struct CertificateOptions {
   std::size_t vertices = 120;  // of one polytope, up to sign
 };
 
+/// Throws std::domain_error, with the first value, where a denominator of a mask in one parameter vanishes in
+/// the box of this parameter.
+void require_no_pole(const Mask<RationalFunction>& mask, const ParameterBox& box);
+
 /// For which parameters in the box a binary or ternary scheme is C^continuity in the sense of its
 /// differences, continuity >= 0: those of order `continuity` of m^(k continuity) times the k-th refinement
 /// tend to zero. `yes` holds for the limits, too.

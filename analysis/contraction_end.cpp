@@ -26,7 +26,7 @@ std::optional<Matrix<Function>> standing_vertices(const Family& matrices, const 
   constexpr double rounding = 1e-10;
   std::vector<Matrix<Rational>> family;
   for (const Matrix<Function>& t : matrices) {
-    family.push_back(t.unaryExpr([&](const Function& f) { return specialize(f, 0, at); }));
+    family.emplace_back(t.unaryExpr([&](const Function& f) { return specialize(f, 0, at); }));
   }
   const Eigen::Index n = family[0].rows();
   std::vector<Vector<Rational>> vertices;

@@ -182,10 +182,10 @@ std::string ground_text(const CertificateCell& cell) {
 
 void print_cells(const std::vector<ParameterRange>& over, const std::vector<CertificateCell>& cells) {
   for (const CertificateCell& cell : cells) {
-    std::string text;
-    for (std::size_t k = 0; k < cell.sides.size(); ++k) {
-      text += (k == 0 ? "" : ", ") + over[k].name + " in " + RealSet{{cell.sides[k]}}.to_string();
-    }
+    Names sides;
+    for (std::size_t k = 0; k < cell.sides.size(); ++k)
+      sides.push_back(over[k].name + " in " + RealSet{{cell.sides[k]}}.to_string());
+    const std::string text = joined(sides, "and");
     const std::string ground = ground_text(cell);
     print_line(status_text(cell.smooth), text + (ground.empty() ? "" : "  (" + ground + ")"));
   }
@@ -259,6 +259,9 @@ int certify(const CertifyOptions& options) {
   budget.seconds = options.budget;
   ContinuityCertificate certificate;
   try {
+    if (over.size() == 1) {
+      for (const Mask<RationalFunction>& step : scheme.steps) require_no_pole(step, box);
+    }
     certificate = certify_continuity(scheme.last(), options.continuity, box, budget);
   } catch (const std::domain_error& error) {
     throw InputError(options.scheme + " over " + options.over + ": " + error.what());

@@ -93,6 +93,7 @@ TEST(Certify, BadInputEndsWith2) {
   rejected("jspline:s=s", "s=0..1", "1", {"--budget"}, {"--budget", "-1"});
   rejected("jspline:s=sqrt(2)*s", "s=0..1", "1", {"sqrt(2)"});
   rejected("four-point:w=1/t", "t=-1..1", "1", {"division by zero", "pole at 0"});
+  rejected("jspline:s=1/t+jspline:s=3/2", "t=-1..1", "1", {"division by zero", "pole at 0"});
   rejected("four-point:w=1/t", "t=0..0", "1", {"division by zero"});
   rejected("four-poin:w=t", "t=0..1", "1", {"four-point"});
 }
