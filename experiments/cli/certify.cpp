@@ -185,9 +185,10 @@ void print_cells(const std::vector<ParameterRange>& over, const std::vector<Cert
     Names sides;
     for (std::size_t k = 0; k < cell.sides.size(); ++k)
       sides.push_back(over[k].name + " in " + RealSet{{cell.sides[k]}}.to_string());
-    const std::string text = joined(sides, "and");
-    const std::string ground = ground_text(cell);
-    print_line(status_text(cell.smooth), text + (ground.empty() ? "" : "  (" + ground + ")"));
+    std::string text = joined(sides, "and");
+    if (const std::string ground = ground_text(cell); !ground.empty())
+      text.append("  (").append(ground).append(")");
+    print_line(status_text(cell.smooth), text);
   }
 }
 
