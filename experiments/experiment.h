@@ -17,13 +17,15 @@ struct Series {
   std::vector<std::vector<std::string>> rows;
 };
 
-/// One curve of a figure: two columns (by header name) of a series, drawn in a gnuplot style.
+/// One curve of a figure: two columns (by header name) of a series, or more where the style takes more
+/// ("boxxyerror": x y, then the ends in x and in y), drawn in a gnuplot style.
 struct Curve {
   std::string series;
   std::string x;
   std::string y;
   std::string label;                 // shown in the key; empty hides it
   std::string style = "lines lw 2";  // gnuplot "with" clause: "points pt 7", "filledcurves closed"
+  std::vector<std::string> more = {};
 };
 
 /// A figure: results/figures/NAME.svg, drawn by gnuplot from series alone, byte-identical on every run.

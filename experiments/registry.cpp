@@ -2,12 +2,18 @@
 
 #include "experiments/area.h"
 #include "experiments/basis_fit.h"
+#include "experiments/exact_smoothness.h"
 #include "experiments/experiment.h"
 #include "experiments/family.h"
+#include "experiments/hoelder_exponents.h"
 #include "experiments/interpolation.h"
 #include "experiments/limit_masks.h"
+#include "experiments/named_smoothness.h"
 #include "experiments/popping.h"
 #include "experiments/smoothness.h"
+#include "experiments/smoothness_maps.h"
+#include "experiments/tension_ranges.h"
+#include "experiments/two_parameter_smoothness.h"
 
 namespace subdiv {
 
@@ -16,6 +22,18 @@ std::span<const Experiment> experiments() {
       Experiment{"family", "The family (js-report 1, 3, 4; jsplines 1, 3, 4)", family_heads, run_family},
       Experiment{"smoothness", "Continuity of J_s (js-report 3, jsplines 3)", smoothness_heads,
                  run_smoothness},
+      Experiment{"exact-smoothness", "Exact ranges of continuity (jsplines 3, 11; js-report 3)",
+                 exact_smoothness_heads, run_exact_smoothness},
+      Experiment{"hoelder-exponents", "Hoelder exponents of J_s (jsplines 3)", hoelder_exponent_heads,
+                 run_hoelder_exponents},
+      Experiment{"named-smoothness", "Continuity of the named curves (js-report 2 .. 8, jsplines 2 .. 12)",
+                 named_smoothness_heads, run_named_smoothness},
+      Experiment{"tension-ranges", "Four-point and dual four-point schemes (js-report 2, jsplines 2)",
+                 tension_range_heads, run_tension_ranges},
+      Experiment{"two-parameter-smoothness", "Continuity of J_{a,b} on exceptional lines (jsplines 6)",
+                 two_parameter_smoothness_heads, run_two_parameter_smoothness},
+      Experiment{"smoothness-maps", "Maps of continuity of J_{a,b} (jsplines 6)", smoothness_map_heads,
+                 run_smoothness_maps},
       Experiment{"basis-fit", "Fits in the basis function (js-report 4, 9; jsplines 4)", basis_fit_heads,
                  run_basis_fit},
       Experiment{"limit-masks", "Limit masks, open ends, retrofitting (js-report 5, 11; jsplines 5, 9)",

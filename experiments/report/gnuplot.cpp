@@ -52,19 +52,31 @@ void require_decimal(const Series& series, const std::string& cell) {
   }
 }
 
+std::vector<std::size_t> columns_of(const Series& series, const Curve& curve) {
+  std::vector<std::size_t> columns{column_named(series, curve.x), column_named(series, curve.y)};
+  for (const std::string& name : curve.more) columns.push_back(column_named(series, name));
+  return columns;
+}
+
 std::string data_block(const Series& series, const Curve& curve, std::size_t index) {
-  const std::size_t x = column_named(series, curve.x);
-  const std::size_t y = column_named(series, curve.y);
+  const std::vector<std::size_t> columns = columns_of(series, curve);
   std::string text = "$data" + std::to_string(index) + " << end_of_data\n";
   for (const auto& row : series.rows) {
-    if (!row.at(x).empty() && !row.at(y).empty()) {
-      require_decimal(series, row[x]);
-      require_decimal(series, row[y]);
-      text += row[x] + " " + row[y];
+    const bool complete = std::ranges::none_of(columns, [&](std::size_t c) { return row.at(c).empty(); });
+    for (std::size_t i = 0; complete && i < columns.size(); ++i) {
+      require_decimal(series, row[columns[i]]);
+      text += (i == 0 ? "" : " ") + row[columns[i]];
     }
     text += '\n';
   }
   return text + "end_of_data\n";
+}
+
+/// "1:2", and so on for more columns.
+std::string using_clause(const Curve& curve) {
+  std::string text = "1:2";
+  for (std::size_t i = 0; i < curve.more.size(); ++i) text += ":" + std::to_string(i + 3);
+  return text;
 }
 
 using File = std::unique_ptr<FILE, int (*)(FILE*)>;
@@ -152,7 +164,8 @@ std::string figure_script(const Figure& figure, std::span<const Series> series) 
   for (std::size_t i = 0; i < figure.curves.size(); ++i) {
     const Curve& curve = figure.curves[i];
     script += data_block(series_named(series, figure, curve.series), curve, i);
-    plots += (i == 0 ? "plot " : ", ") + ("$data" + std::to_string(i)) + " using 1:2 with " + curve.style +
+    plots += (i == 0 ? "plot " : ", ") + ("$data" + std::to_string(i)) + " using " + using_clause(curve) +
+             " with " + curve.style +
              (curve.label.empty() ? " notitle" : " title " + quoted_for_gnuplot(curve.label));
   }
   if (!figure.setup.empty()) script += figure.setup + "\n";

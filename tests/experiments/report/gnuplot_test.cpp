@@ -23,6 +23,17 @@ TEST(FigureScript, TakesColumnsByNameAndBreaksCurvesAtEmptyCells) {
       << script;
 }
 
+TEST(FigureScript, TakesMoreColumnsForStylesThatNeedThem) {
+  Figure figure = figure_of("x", "y");
+  figure.curves[0].style = "boxxyerror";
+  figure.curves[0].more = {"x", "y"};
+  const std::string script = figure_script(figure, squares);
+  EXPECT_NE(script.find("1 1.0 1 1.0\n2 4.0 2 4.0\n\n3 9.0 3 9.0\n"), std::string::npos) << script;
+  EXPECT_NE(script.find("using 1:2:3:4 with boxxyerror"), std::string::npos) << script;
+  figure.curves[0].more = {"z"};
+  EXPECT_THROW((void)figure_script(figure, squares), std::logic_error);
+}
+
 TEST(FigureScript, RejectsWhatIsMissing) {
   EXPECT_THROW((void)figure_script(figure_of("x", "z"), squares), std::logic_error);
   EXPECT_THROW((void)figure_script(figure_of("x", "name"), squares), std::logic_error);
