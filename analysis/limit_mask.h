@@ -27,6 +27,10 @@ std::string missing_mask_reason(const Matrix<R>& shifted, int arity, int derivat
                            : derivative == 1 ? "tangent mask"
                                              : "mask of derivative " + std::to_string(derivative);
   const std::string eigenvalue = pow(Rational(arity), -derivative).to_string();
+  constexpr Eigen::Index long_mask = 64;  // beyond, a characteristic polynomial for a message is too slow
+  if (shifted.rows() > long_mask) {
+    return name + ": no eigenvector for the eigenvalue " + eigenvalue + ", or no unique one";
+  }
   if constexpr (ExactRing<R>) {
     const std::vector<R> characteristic = characteristic_polynomial(shifted);
     std::size_t multiplicity = 0;

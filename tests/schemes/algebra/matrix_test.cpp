@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "schemes/algebra/elimination.h"
 #include "tests/schemes/algebra/random_elements.h"
 
 namespace subdiv {
@@ -175,6 +176,18 @@ TEST(Matrix, InvertsTheHilbertMatrixExactly) {
   ASSERT_TRUE(column.has_value());
   EXPECT_EQ((*column)(0), Rational(n * n));
   for (int i = 0; i < n; ++i) EXPECT_TRUE((*column)(i).is_integer());
+}
+
+TEST(Matrix, FlintSolvesAsTheGeneralEliminationDoes) {
+  Generator generator(76);
+  for (int round = 0; round < 200; ++round) {
+    const int columns = random_int(generator, 1, 6);
+    const auto a = random_matrix<Rational>(generator, random_int(generator, 1, 7), columns);
+    const Matrix<Rational> x = random_matrix<Rational>(generator, columns, 1);
+    Vector<Rational> b = product(a, x).col(0);
+    if (round % 3 == 0) b(0) += Rational(1);
+    EXPECT_EQ(solve_linear(a, b), solve(a, b)) << round;
+  }
 }
 
 TEST(Matrix, EigenMultipliesOurRings) {
