@@ -26,19 +26,6 @@ void raise_to_least_radius(JointSpectralRadius& radius, int arity) {
   radius.value.upper = std::max(radius.value.upper, least);
 }
 
-/// Whether further factors sigma(z) / m of b are not excluded: its residue sums may all be 1/m.
-template <class R>
-bool may_have_more_factors(const NormalForm<R>& form) {
-  if constexpr (std::is_same_v<R, Interval>) {
-    for (int r = 0; r < form.arity; ++r) {
-      if (!sum(residue_class(form.b, r, form.arity)).contains(Rational(1, form.arity))) return false;
-    }
-    return true;
-  } else {
-    return false;
-  }
-}
-
 void decide_continuity(Smoothness& result, int most_factors) {
   const Enclosure& exponent = result.exponent;
   const bool first_sum_rule = result.factors > 0;
@@ -137,7 +124,7 @@ Smoothness analyse(const NormalForm<R>& form, const JointSpectralRadiusBudget& b
   if (result.radius.value.lower == Rational(1, form.arity) && may_have_more_factors(form)) {
     most_factors += form.degree() / (form.arity - 1);
     result.exponent.upper = std::max(result.exponent.upper, Rational(most_factors));
-    if (most_factors > form.factors) result.exponent.status = Status::ambiguous;
+    result.exponent.status = Status::ambiguous;
   }
   decide_continuity(result, most_factors);
   result.attained = is_attained(form, result, budget.precision, deadline);

@@ -1,5 +1,6 @@
 #include "analysis/sobolev.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "analysis/logarithm.h"
@@ -15,9 +16,19 @@ Enclosure exponent(const NormalForm<R>& form, const JointSpectralRadiusBudget& b
   for (int i = -most; i <= most; ++i) {
     for (int j = -most; j <= most; ++j) transfer(i + most, j + most) = r[form.arity * i - j];
   }
-  const JointSpectralRadius radius = joint_spectral_radius(std::vector{std::move(transfer)}, budget);
+  JointSpectralRadius radius = joint_spectral_radius(std::vector{std::move(transfer)}, budget);
+  // The central one of at most about 2 K m^k coefficients of the k-th iterate of r, with sum 1, is the
+  // largest.
+  const Rational least(1, form.arity);
+  radius.value.lower = std::max(radius.value.lower, least);
+  radius.value.upper = std::max(radius.value.upper, least);
   const Rational offset = Rational(form.factors) - Rational(1, 2);
   Enclosure result = minus_logarithm(offset, form.arity, 2, radius.value, radius.exact);
+  if (radius.value.lower == least && may_have_more_factors(form)) {
+    const int factors = form.factors + most;
+    result.upper = std::max(result.upper, Rational(factors) + Rational(1, 2));
+    result.status = Status::ambiguous;
+  }
   result.method = "largest eigenvalue of the transfer operator";
   return result;
 }

@@ -13,6 +13,7 @@ namespace subdiv {
 ///
 /// n the number of factors, rho(M) the largest eigenvalue of the transfer operator (Eirola, SIAM J. Math.
 /// Anal. 23, 1992; Villemoes, SIAM J. Math. Anal. 23, 1992). The Hoelder exponent lies in [s - 1/2, s].
+/// Where coefficients are intervals that do not exclude further factors, rho(M) tells s only above 1/m.
 [[nodiscard]] Enclosure sobolev_exponent(const NormalForm<Rational>& form,
                                          const JointSpectralRadiusBudget& budget = {});
 [[nodiscard]] Enclosure sobolev_exponent(const NormalForm<Interval>& form,

@@ -78,6 +78,20 @@ NormalForm<R> normal_form(const Mask<R>& mask) {
 /// of b for all masks within the intervals that obey them. Throws std::domain_error when no mask does.
 [[nodiscard]] NormalForm<Interval> normal_form(const Mask<Interval>& mask, int factors);
 
+/// Whether b may have further factors sigma(z) / m: those of intervals whose residue sums may all be 1/m.
+/// Never over an exact ring, where the number of factors is maximal.
+template <class R>
+bool may_have_more_factors(const NormalForm<R>& form) {
+  if constexpr (ExactRing<R>) {
+    return false;
+  } else {
+    for (int r = 0; r < form.arity; ++r) {
+      if (!sum(residue_class(form.b, r, form.arity)).contains(Rational(1, form.arity))) return false;
+    }
+    return form.degree() >= form.arity - 1;
+  }
+}
+
 /// The same form with enclosures of the coefficients.
 template <ExactRing R>
 NormalForm<Interval> enclose(const NormalForm<R>& form, long precision = Interval::default_precision) {

@@ -372,9 +372,7 @@ BlockRadius of_matrices(const MatrixFamily& family, std::size_t most_vertices, c
   BlockRadius result;
   if (!family.exact.empty() && family.dimension() <= largest_exact)
     result = Search(family, most_vertices, deadline, Wanted::closed_polytope).run();
-  if (result.closed) return result;
-  if (std::optional<BlockRadius> enclosed = single_matrix_radius(family)) return *std::move(enclosed);
-  return Search(family, most_vertices, deadline, wanted).run();
+  return result.closed ? result : single_matrix_radius(family);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "analysis/hoelder.h"
 
+#include <chrono>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -177,6 +178,38 @@ TEST(Hoelder, TellsLimitsFromSchemes) {
   EXPECT_EQ(two.reduction.form.factors, 5);
 }
 
+TEST(Hoelder, OfIntervalsExcludesNothingThatFurtherSumRulesAllow) {
+  // Too few sum rules assumed of B-splines: rho = 1/2 hides how many more there are.
+  for (int degree = 1; degree < 5; ++degree) {
+    const Laurent<Interval> symbol = map_coefficients(bspline<Rational>(degree).symbol,
+                                                      [](const Rational& q) { return Interval(q, 192); });
+    for (int assumed = 0; assumed <= degree + 1; ++assumed) {
+      const NormalForm<Interval> form = normal_form(Mask<Interval>{2, symbol}, assumed);
+      const Smoothness s = smoothness(form, {0.5, 200, 192});
+      EXPECT_TRUE(s.exponent.contains(Rational(degree))) << degree << ' ' << assumed;
+      EXPECT_LE(s.continuity, degree - 1);
+      EXPECT_GE(s.continuity_limit, degree - 1) << degree << ' ' << assumed;
+      EXPECT_NE(s.converges, Decision::no) << degree << ' ' << assumed;
+      EXPECT_TRUE(sobolev_exponent(form).contains(Rational(2 * degree + 1, 2))) << degree << ' ' << assumed;
+    }
+  }
+}
+
+TEST(Hoelder, KeepsToItsTime) {
+  // Of whole exponents, boundedness is decided within the same budget.
+  const auto seconds = [](const auto& run) {
+    const auto start = std::chrono::steady_clock::now();
+    run();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
+  JointSpectralRadiusBudget budget;
+  budget.seconds = 2;
+  EXPECT_LT(seconds([&] { (void)smoothness_report(testing::daubechies(14), budget); }), 3);
+  const NormalForm<Rational> whole{
+      2, 4, 0, Laurent<Rational>(0, {Rational(1), Rational(1, 2), Rational(-2, 5), Rational(-1, 10)})};
+  EXPECT_LT(seconds([&] { EXPECT_EQ(smoothness(whole).exponent.exact, "3"); }), 5);
+}
+
 TEST(Hoelder, ClaimsNoMoreOfLimitsThanTheShiftsAllow) {
   JointSpectralRadiusBudget budget;
   budget.seconds = 0.5;
@@ -214,6 +247,8 @@ TEST(Hoelder, LiesWithinTheSobolevBounds) {
               Rational(2 * degree + 1, 2).to_string());
   }
   EXPECT_TRUE(agrees(sobolev_exponent(testing::daubechies(2)), "1"));
+  // Long masks: 61 x 61, in time.
+  EXPECT_LT(sobolev_exponent(testing::daubechies(30, 512)).width(), pow(Rational(10), -6));
   for (int order = 2; order <= 8; ++order) {
     const NormalForm<Interval> form = testing::daubechies(order);
     const Enclosure s = sobolev_exponent(form);

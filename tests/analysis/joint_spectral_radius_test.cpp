@@ -212,9 +212,13 @@ TEST(JointSpectralRadius, OfTheFourPointScheme) {
 TEST(JointSpectralRadius, OfTheDualFourPointScheme) {
   EXPECT_EQ(joint_spectral_radius(of_mask(dyn_floater_hormann(Rational(1, 128)))).value.exact, "9/4");
   // Between w = 0.00784 and 0.01386 the leading pair of T_0 is complex, of modulus sqrt(512 w^2 + 32 w); T_1
-  // ties with it.
+  // ties with it. Near the lower end, where its argument is small, long runs of one letter are larger.
   EXPECT_EQ(joint_spectral_radius(of_mask(dyn_floater_hormann(Rational(1, 100)))).value.exact,
             "2*sqrt(58)/25");
+  const JointSpectralRadius near = joint_spectral_radius(of_mask(dyn_floater_hormann(Rational(79, 10000))));
+  EXPECT_GT(pow(near.value.lower, 2),
+            Rational(512) * Rational(79, 10000) * Rational(79, 10000) + Rational(32) * Rational(79, 10000));
+  EXPECT_LT(near.value.width(), pow(Rational(10), -6));
   // 222208w^3+37056w^2+1248w-25 changes sign there: word 01.
   const JointSpectralRadius r = joint_spectral_radius(of_mask(dyn_floater_hormann(Rational(1, 50))));
   EXPECT_EQ(word_text(r.words[0]), "01");
@@ -347,6 +351,126 @@ TEST(JointSpectralRadius, IsBoundedByAnyNormAndProduct) {
     }
     EXPECT_LE(r.value.lower, norm) << trial;
   }
+}
+
+// ---- Balance, repetition, size
+// ------------------------------------------------------------------------------
+
+TEST(JointSpectralRadius, BalancesCyclesThatTie) {
+  // Both have the eigenvalues 11 and 5; T_1^k (1, 0) tends to 11/6 times the normalised leading vector of
+  // T_1, so that the two cycles close only when scaled against each other.
+  const Family family{matrix({{55, -41}, {0, 25}}, Rational(1, 5)), matrix({{16, -11}, {5, 0}})};
+  const JointSpectralRadius r = joint_spectral_radius(family);
+  EXPECT_EQ(r.value.exact, "11");
+  EXPECT_EQ(r.bounded, Decision::yes);
+}
+
+TEST(JointSpectralRadius, FindsLongRunsOfALetter) {
+  // b = (12 + 11z - 2z^2) / 21: T_0 has the eigenvalues 12/21 and 11/21, and the trace of T_1 T_0^k is
+  // (22 11^k - 13 12^k) / 21^(k+1), up to the sign nearly 13 12^k: a run of about 55 letters is best.
+  const Family family{matrix({{12, 0}, {-2, 11}}), matrix({{11, 12}, {0, -2}})};
+  const JointSpectralRadius r = joint_spectral_radius(family);
+  EXPECT_TRUE(r.attained);
+  ASSERT_FALSE(r.words.empty());
+  EXPECT_GE(r.words[0].size(), 50u);
+  EXPECT_LE(r.words[0].size(), 60u);
+  for (const int k : {40, 50, 55, 60, 70}) {
+    // |tr| <= 2 rho^(k+1)
+    const Rational trace = abs(Rational(22) * pow(Rational(11), k) - Rational(13) * pow(Rational(12), k));
+    EXPECT_LE(trace, Rational(2) * pow(r.value.upper, k + 1)) << k;
+  }
+}
+
+TEST(JointSpectralRadius, IgnoresRepeatedAndNegatedMatrices) {
+  const Family family{matrix({{-1, 0, -1}, {-2, 0, -1}, {-1, 0, 1}}),
+                      matrix({{1, 0, 1}, {0, 1, -1}, {1, 1, 2}})};
+  const JointSpectralRadius r = joint_spectral_radius(family);
+  Matrix<Rational> opposite = family[1];
+  for (Rational& x : opposite.reshaped()) x = -x;
+  const JointSpectralRadius more = joint_spectral_radius(Family{opposite, family[0], opposite, family[1]});
+  EXPECT_TRUE(more.attained);
+  ASSERT_TRUE(r.exact && more.exact);
+  EXPECT_EQ(*more.exact, *r.exact);
+  for (const int letter : more.words[0]) EXPECT_LE(letter, 1);
+}
+
+TEST(JointSpectralRadius, ScalesWithTheMatrices) {
+  for (const int exponent : {-400, -30, 30, 400}) {
+    const Rational scale = pow(Rational(10), exponent);
+    Family family = golden_pair;
+    for (Matrix<Rational>& t : family) t = (scale * t).eval();
+    const JointSpectralRadius r = joint_spectral_radius(family);
+    EXPECT_TRUE(r.attained) << exponent;
+    ASSERT_TRUE(r.exact) << exponent;
+    EXPECT_EQ(*r.exact / Algebraic(scale), (Algebraic(1) + sqrt(Algebraic(5))) / Algebraic(2)) << exponent;
+  }
+}
+
+TEST(JointSpectralRadius, OfIsometries) {
+  // Two rotations by irrational angles and a reflection; in other coordinates, where no polytope closes.
+  const Family family{matrix({{3, -4}, {4, 3}}, Rational(1, 5)), matrix({{5, -12}, {12, 5}}, Rational(1, 13)),
+                      matrix({{1, 0}, {0, -1}})};
+  const Enclosure value = joint_spectral_radius(similar(family)).value;
+  EXPECT_LE(value.lower, Rational(1));
+  EXPECT_GE(value.upper, Rational(1));
+  EXPECT_LT(value.width(), pow(Rational(10), -6));
+}
+
+TEST(JointSpectralRadius, OfOneMatrixIsItsSpectralRadius) {
+  // A defective one with intervals for entries, and a large one: the second differences of n points, 2 + 2
+  // cos(pi / (n+1)).
+  std::vector<Matrix<Interval>> defective(1, Matrix<Interval>(2, 2));
+  defective[0] << Interval(3), Interval(1), Interval(-1), Interval(1);
+  const JointSpectralRadius two = joint_spectral_radius(defective);
+  EXPECT_TRUE(two.value.contains(Rational(2)));
+  EXPECT_LT(two.value.width(), pow(Rational(10), -12));
+  EXPECT_EQ(two.bounded, Decision::undecided);
+  constexpr int n = 59;
+  Matrix<Rational> laplacian = zero_matrix<Rational>(n, n);
+  for (int i = 0; i < n; ++i) {
+    laplacian(i, i) = Rational(2);
+    if (i > 0) laplacian(i, i - 1) = laplacian(i - 1, i) = Rational(-1);
+  }
+  // cos(pi/60) = 0.99862953475457387378...
+  const JointSpectralRadius large = joint_spectral_radius(std::vector{laplacian});
+  EXPECT_TRUE(agrees(large.value, "3.9972590695091477475"));
+  EXPECT_EQ(large.bounded, Decision::yes);
+}
+
+TEST(JointSpectralRadius, OfKroneckerSquaresIsTheSquare) {
+  std::mt19937 random(5);
+  for (int trial = 0; trial < 4; ++trial) {
+    const Family family = random_family(random);
+    Family squared;
+    for (const Matrix<Rational>& t : family) {
+      Matrix<Rational> square(9, 9);
+      for (Eigen::Index i = 0; i < 9; ++i) {
+        for (Eigen::Index j = 0; j < 9; ++j) square(i, j) = t(i / 3, j / 3) * t(i % 3, j % 3);
+      }
+      squared.push_back(std::move(square));
+    }
+    const Enclosure once = joint_spectral_radius(family).value;
+    const Enclosure both = joint_spectral_radius(squared).value;
+    EXPECT_LE(pow(once.lower, 2), both.upper) << trial;
+    EXPECT_LE(both.lower, pow(once.upper, 2)) << trial;
+  }
+}
+
+TEST(JointSpectralRadius, OfRankOneMatricesIsALargestCycleMean) {
+  // u_i v_i^T: products are scalars <v_i, u_j> along a cycle; here of two lengths.
+  const auto outer = [](const std::vector<int>& u, const std::vector<int>& v) {
+    std::vector<std::vector<int>> rows;
+    for (const int x : u) {
+      rows.emplace_back();
+      for (const int y : v) rows.back().push_back(x * y);
+    }
+    return matrix(rows);
+  };
+  // <v_0, u_0> = 1, <v_1, u_1> = 0, <v_0, u_1> <v_1, u_0> = 2 * 3.
+  EXPECT_EQ(joint_spectral_radius(Family{outer({1, 3}, {1, 0}), outer({2, 0}, {0, 1})}).value.exact,
+            "sqrt(6)");
+  // <v_0, u_0> = 5 now.
+  EXPECT_EQ(joint_spectral_radius(Family{outer({5, 3}, {1, 0}), outer({2, 0}, {0, 1})}).value.exact, "5");
 }
 
 TEST(JointSpectralRadius, OfIntervalsEnclosesEveryMember) {
