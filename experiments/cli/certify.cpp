@@ -226,7 +226,11 @@ void print(const CertifyOptions& options, const std::vector<ParameterRange>& ove
     print_sums(certificate.cells);
   }
   for (const Json& end : over.size() == 1 ? ends_json(over[0].name, certificate.cells) : Json::array()) {
-    print_line("end", end["lower"].get<std::string>() + " .. " + end["upper"].get<std::string>());
+    const auto lower = end["lower"].get<std::string>();
+    const auto upper = end["upper"].get<std::string>();
+    if (lower == upper) continue;  // the cells show it exactly
+    const auto differ = std::mismatch(lower.begin(), lower.end(), upper.begin(), upper.end()).first;
+    print_line("end", over[0].name + " = " + std::string(lower.begin(), differ) + "..");
   }
   if (certificate.undecided.sign() != 0)
     print_line("undecided", "volume " + volume_text(certificate.undecided) + " at most");

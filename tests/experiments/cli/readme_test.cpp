@@ -48,6 +48,22 @@ TEST(Readme, TheExampleSchemeWorksWithItsCommands) {
   }
 }
 
+TEST(Readme, TheCertificateIsWhatTheProgramSays) {
+  const auto commands = commands_about("certify");
+  ASSERT_EQ(commands.size(), 1U);
+  const ProgramRun run = run_program(commands[0]);
+  EXPECT_EQ(run.exit_code, 0);
+  const std::string readme = text_of(root / "README.md");
+  std::istringstream output(run.output);
+  int shown = 0;
+  for (std::string line; std::getline(output, line);) {
+    if (!line.starts_with("proved ") && !line.starts_with("refuted ")) continue;
+    expect_contains(readme, "\n" + line + "\n");
+    ++shown;
+  }
+  EXPECT_EQ(shown, 3);
+}
+
 TEST(Readme, TheExcerptIsWhatTheResultsSay) {
   const auto claims = claims_from_json(text_of(root / "results" / "claims.json"), "results/claims.json");
   std::istringstream excerpt(fenced_block(""));
