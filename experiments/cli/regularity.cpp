@@ -63,7 +63,7 @@ std::optional<ContinuityText> certify(const Laurent<Rational>& difference, int a
 }
 
 std::optional<ContinuityText> certify(const Laurent<Algebraic>& difference, int arity, int order) {
-  constexpr long most_classes = 1L << 5U;  // exact algebraic numbers are slow
+  constexpr long most_classes = 1L << 3U;  // exact algebraic numbers are slow
   const std::vector<Algebraic> norms = iterate_norms(difference, arity, greatest_power(arity, most_classes));
   const auto k = contracting_power(norms);
   if (!k) return std::nullopt;
