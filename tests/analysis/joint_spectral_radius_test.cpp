@@ -392,6 +392,9 @@ TEST(JointSpectralRadius, IgnoresRepeatedAndNegatedMatrices) {
   ASSERT_TRUE(r.exact && more.exact);
   EXPECT_EQ(*more.exact, *r.exact);
   for (const int letter : more.words[0]) EXPECT_LE(letter, 1);
+  // The same moduli do not make the same matrix: sqrt(2) alone, 2 together.
+  EXPECT_EQ(joint_spectral_radius(Family{matrix({{1, 1}, {1, -1}}), matrix({{1, 1}, {1, 1}})}).value.exact,
+            "2");
 }
 
 TEST(JointSpectralRadius, ScalesWithTheMatrices) {

@@ -98,6 +98,20 @@ TEST(InvariantPolytope, NeverClosesAtAWrongRadius) {
       certainly_less(Interval(Rational(1000001, 1000000)), proof->bound + Interval(Rational(1, 1000000000))));
 }
 
+TEST(InvariantPolytope, WithSlackProvesNoLessThanTheRadius) {
+  // Far below the golden ratio the polytope closes thanks to its slack: the images that it was grown by count
+  // in full.
+  const AdaptedFamily adapted = plain(golden_pair);
+  const Interval low(Rational(8, 5), precision);
+  InvariantPolytope polytope(golden_pair, adapted, {low, nullptr, 0.25, false, false});
+  polytope.add_vector(Eigen::Vector2d(1, 1));
+  EXPECT_EQ(polytope.grow(200, no_hurry), Growth::closed);
+  const auto proof = polytope.prove(no_hurry);
+  ASSERT_TRUE(proof);
+  EXPECT_FALSE(proof->tight);
+  EXPECT_TRUE(certainly_less(Interval(Rational::parse("1.618"), precision), low * proof->bound));
+}
+
 TEST(InvariantPolytope, ReportsABetterWord) {
   // Word 0 of Daubechies' order 10 gives 3.381; 0011 is better.
   const MatrixFamily family = matrix_family(transition_matrices(testing::daubechies(10)), precision);
