@@ -121,11 +121,13 @@ Claim settle_named(const NamedCurve& named) {
                                : general.attained == Decision::no ? "not attained"
                                                                   : "attained or not: open";
   constexpr int shown = 12;
-  return settle_as(head(table(), named.id),
-                   general.continuity >= named.order ? Verdict::reproduced : Verdict::refuted, exponent,
-                   fmt::format("Limits are C{} and not C{}; Hoelder exponent {} = {}, {}.",
-                               general.continuity, general.continuity + 1, exponent.exact,
-                               to_significant(exponent.midpoint(), shown), attained));
+  return settle_as(
+      head(table(), named.id), general.continuity >= named.order ? Verdict::reproduced : Verdict::refuted,
+      exponent,
+      fmt::format("Limits are C{} and not C{}; Hoelder exponent {}{}, {}.", general.continuity,
+                  general.continuity + 1, exponent.exact,
+                  exponent.lower == exponent.upper ? "" : " = " + to_significant(exponent.midpoint(), shown),
+                  attained));
 }
 
 /// C^2 limits of a scheme with independent shifts need three factors (1+z): the symbol has two, and four at
