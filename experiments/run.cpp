@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "experiments/report/json.h"
+#include "schemes/algebra/thread_caches.h"
 
 namespace subdiv {
 namespace {
@@ -70,7 +71,12 @@ std::vector<Outcome> run(std::span<const Experiment* const> experiments, int job
   const std::size_t threads = std::min(static_cast<std::size_t>(std::max(jobs, 1)), experiments.size());
   {
     std::vector<std::jthread> others;
-    for (std::size_t i = 1; i < threads; ++i) others.emplace_back(work);
+    for (std::size_t i = 1; i < threads; ++i) {
+      others.emplace_back([&] {
+        work();
+        release_thread_caches();
+      });
+    }
     work();
   }
   return outcomes;

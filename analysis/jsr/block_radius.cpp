@@ -49,8 +49,8 @@ BlockRadius of_scalars(const MatrixFamily& family) {
   return result;
 }
 
-/// A lower bound of the product's spectral radius^(1/length) from |tr P^k| <= n rho^k.
-Interval trace_bound(const AdaptedFamily& family, const Word& word) {
+/// A lower bound of the product's spectral radius^(1/length) from |tr P^k| <= n rho^k, k up to 2^squarings.
+Interval trace_bound(const AdaptedFamily& family, const Word& word, int squarings) {
   BallMatrix power = family.balls[static_cast<std::size_t>(word[0])];
   for (std::size_t i = 1; i < word.size(); ++i) {
     power = multiply(family.balls[static_cast<std::size_t>(word[i])], power, family.precision);
@@ -58,8 +58,7 @@ Interval trace_bound(const AdaptedFamily& family, const Word& word) {
   Interval best = Interval(0).with_precision(family.precision);
   acb_t trace;
   acb_init(trace);
-  constexpr int squarings = 7;
-  for (std::size_t k = 0; k <= squarings; ++k) {
+  for (int k = 0; k <= squarings; ++k) {
     acb_mat_trace(trace, power.raw(), family.precision);
     Interval bound = modulus(trace, family.precision) / Interval(power.rows());
     arb_root_ui(bound.raw(), bound.raw(), word.size() << k, family.precision);
@@ -85,6 +84,7 @@ class Search {
  private:
   void improve_upper_by_norms();
   bool norm_suffices();
+  void improve_lower_by_letters();
   void choose_words();
   void start_from(const std::vector<Word>& words);
   [[nodiscard]] std::vector<Word> with_mirror_image(const Word& word) const;
@@ -113,14 +113,24 @@ class Search {
 
 /// The operator norms for l_1, l_infinity and l_2.
 void Search::improve_upper_by_norms() {
-  Interval norms[3] = {Interval(0), Interval(0), Interval(0)};
-  for (const BallMatrix& t : adapted_.balls) {
-    norms[0] = max(norms[0], one_norm(t, family_.precision));
-    norms[1] = max(norms[1], infinity_norm(t, family_.precision));
-    norms[2] = max(norms[2], euclidean_norm_bound(t, family_.precision));
+  using Norm = Interval (*)(const BallMatrix&, long);
+  std::vector<Norm> norms{one_norm, infinity_norm};
+  if (family_.dimension() <= largest_block) norms.push_back(euclidean_norm_bound);
+  for (const Norm norm : norms) {
+    Interval largest(0);
+    for (const BallMatrix& t : adapted_.balls) largest = max(largest, norm(t, family_.precision));
+    if (!result_.upper.is_finite() || largest.upper() < result_.upper.upper()) result_.upper = largest;
   }
-  for (const Interval& norm : norms) {
-    if (!result_.upper.is_finite() || norm.upper() < result_.upper.upper()) result_.upper = norm;
+}
+
+/// A lower bound from single letters, for blocks too large for a search.
+void Search::improve_lower_by_letters() {
+  for (int letter = 0; letter < static_cast<int>(family_.size()) && !deadline_.passed(); ++letter) {
+    constexpr int few = 4;
+    const Interval bound = trace_bound(adapted_, {letter}, few);
+    if (bound.lower() <= result_.lower.lower()) continue;
+    result_.lower = bound;
+    result_.words = {{letter}};
   }
 }
 
@@ -170,7 +180,8 @@ void Search::start_from(const std::vector<Word>& words) {
   }
   if (!starts_.empty()) return;
   result_.words = words;
-  for (const Word& word : words) result_.lower = max(result_.lower, trace_bound(adapted_, word));
+  constexpr int many = 7;
+  for (const Word& word : words) result_.lower = max(result_.lower, trace_bound(adapted_, word, many));
   radius_ = result_.lower;
 }
 
@@ -359,7 +370,11 @@ BlockRadius Search::run() {
   arb_pos_inf(result_.upper.raw());
   result_.lower = Interval(0).with_precision(family_.precision);
   improve_upper_by_norms();
-  if (family_.dimension() <= largest_block) choose_words();
+  if (family_.dimension() <= largest_block) {
+    choose_words();
+  } else {
+    improve_lower_by_letters();
+  }
   if (certainly_positive(radius_) && !norm_suffices()) close();
   return std::move(result_);
 }

@@ -217,7 +217,7 @@ std::string necessary_line(const ContinuityText& c, const std::string& parameter
 }
 
 std::string smoothness_line(const SmoothnessText& smoothness) {
-  const std::string growth = "first differences grow by " + smoothness.growth.line + " a step";
+  const std::string growth = "growth of first differences a step " + smoothness.growth.line;
   if (smoothness.converges == Decision::no) return "divergent: " + growth + ", not below 1";
   std::string text = continuity_name(smoothness.continuity);
   if (smoothness.continuity < 0) text = "convergence undecided, " + growth;

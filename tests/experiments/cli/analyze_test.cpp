@@ -83,7 +83,7 @@ TEST(Analyze, ADivergentSchemeIsCalledSoWithItsGrowth) {
   EXPECT_EQ(json["regularity"]["limits"]["first_difference_growth"]["value"], "9/8");
   EXPECT_TRUE(json["limit_mask"].is_null());
   expect_contains(run_program({"analyze", "jspline:s=11"}).output,
-                  "divergent: first differences grow by 9/8 = 1.125");
+                  "divergent: growth of first differences a step 9/8 = 1.125");
 }
 
 TEST(Analyze, SymbolsAreTakenWithTheirWrittenFactors) {
