@@ -2,37 +2,15 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
+#include "analysis/circle_crossings.h"
 #include "analysis/eigenvalues.h"
 #include "analysis/sign_on_interval.h"
 #include "schemes/algebra/specialize.h"
-#include "schemes/algebra/univariate.h"
 
 namespace subdiv {
 namespace {
-
-void add_roots(const Polynomial& p, std::vector<Algebraic>& values) {
-  if (p.is_constant()) return;
-  for (RealRoot& root : real_roots(UnivariatePolynomial(p, 0))) values.push_back(std::move(root.value));
-}
-
-Polynomial at_eigenvalue(const Polynomial& p, const Rational& value) {
-  return p.substitute(eigenvalue_variable, Polynomial(value));
-}
-
-/// x^n p(radius^2 / x): its roots are those of p mirrored at the circle of this radius.
-Polynomial mirrored(const Polynomial& p, const Rational& radius) {
-  const std::vector<Polynomial> c = p.coefficients_in(eigenvalue_variable);
-  const std::size_t n = c.size() - 1;
-  Polynomial result;
-  for (std::size_t i = 0; i <= n; ++i) {
-    result += c[i] * Polynomial(pow(radius, 2 * static_cast<long>(i))) *
-              pow(Polynomial::variable(eigenvalue_variable), static_cast<unsigned>(n - i));
-  }
-  return result;
-}
 
 template <OrderedField F>
 bool contracts_at(const std::vector<RationalFunction>& characteristic, const F& p, const Rational& radius) {
@@ -48,15 +26,9 @@ RealSet contraction_set(const Matrix<RationalFunction>& matrix, const Rational& 
   Polynomial poles(1);
   for (Eigen::Index i = 0; i < matrix.size(); ++i) poles *= matrix.data()[i].denominator();
   std::vector<Algebraic> critical;
-  add_roots(poles, critical);
+  append_real_roots(poles, 0, critical);
   for (const auto& [base, multiplicity] : factor(characteristic_equation(matrix)).factors) {
-    add_roots(at_eigenvalue(base, radius), critical);
-    add_roots(at_eigenvalue(base, -radius), critical);
-    // A factor that is its own mirror image has roots on or outside the circle everywhere: its resultant is
-    // 0.
-    if (base.degree(eigenvalue_variable) > 1) {
-      add_roots(resultant(base, mirrored(base, radius), eigenvalue_variable), critical);
-    }
+    append_crossings(base, radius, 0, critical);
   }
   std::sort(critical.begin(), critical.end());
   critical.erase(std::unique(critical.begin(), critical.end()), critical.end());
