@@ -52,7 +52,7 @@ std::optional<Rational> rational_logarithm(const Algebraic& x, int base) {
 std::string text(const Rational& offset, int base, int divisor, const Algebraic& x) {
   const std::string name = "log" + std::to_string(base) + "(";
   const std::string end = divisor == 1 ? ")" : ")/" + std::to_string(divisor);
-  const std::string plain = (offset.sign() == 0 ? "" : offset.to_string()) + "-" + name + x.to_string() + end;
+  std::string plain = (offset.sign() == 0 ? "" : offset.to_string()) + "-" + name + x.to_string() + end;
   if (!x.is_rational()) return plain;
   const Split split = split_off_powers(x.to_rational(), base);
   const Rational rest_offset = offset - Rational(split.k, divisor);

@@ -58,7 +58,7 @@ void add_one_parameter(Results& results) {
 
   // The whole range, closer points about the sharp optimum, and the optimum itself.
   std::vector<Rational> abscissae{Rational::parse(to_decimal(s.minimiser[0].midpoint(), digits))};
-  for (int i = 0; i <= 150; ++i) abscissae.push_back(Rational(i - 34, 20));
+  for (int i = 0; i <= 150; ++i) abscissae.emplace_back(i - 34, 20);
   for (int i = 0; i <= 40; ++i) abscissae.push_back(Rational(81 + i, 200) + Rational(1, 1000));
   std::ranges::sort(abscissae);
   Series curve{"area-objective-s", {"s", "largest difference"}, {}};

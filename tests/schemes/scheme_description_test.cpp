@@ -181,9 +181,10 @@ TEST(RoundedMasks, MissTheSumByARoundingErrorUnlessAskedFor) {
   // Daubechies' order 2, (1+sqrt 3)/4 .., to 6 decimals; the last one rounded the wrong way.
   const std::string off = folder.write("off.json", R"json({"name": "off", "arity": 2,
         "mask": {"first": 0, "coefficients": [0.683013, 1.183013, 0.316987, "-0.183012"]}})json");
-  expect_input_error([&] { return parse_scheme(off); },
-                     {"off.json", "sum to 2.000001,", "minus 2 is 0.000001,",
-                      "no more than the rounding of the written decimals", "as fractions or with sqrt", "--rounded"});
+  expect_input_error(
+      [&] { return parse_scheme(off); },
+      {"off.json", "sum to 2.000001,", "minus 2 is 0.000001,",
+       "no more than the rounding of the written decimals", "as fractions or with sqrt", "--rounded"});
   const SchemeDescription rounded = parse_scheme(off, {.rounded = true});
   EXPECT_TRUE(rounded.rounded);
   // Too far for rounding: no advice to ask for it, and no pardon.

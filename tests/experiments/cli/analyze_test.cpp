@@ -126,7 +126,8 @@ TEST(Analyze, RoundedMasksNeedToBeCalledSo) {
       R"json("0.230377813309*sqrt(2)", "0.714846570553*sqrt(2)", "0.630880767930*sqrt(2)", "-0.027983769417*sqrt(2)",
              "-0.187034811719*sqrt(2)", "0.030841381836*sqrt(2)", "0.032883011667*sqrt(2)",
              "-0.010597401785*sqrt(2)")json");
-  expect_rejected(run_program({"analyze", four}), {"rounding of the written decimals", "--rounded", "about 1.280e-12"});
+  expect_rejected(run_program({"analyze", four}),
+                  {"rounding of the written decimals", "--rounded", "about 1.280e-12"});
   const ProgramRun run = run_program({"analyze", four, "--rounded", "--json"});
   ASSERT_EQ(run.exit_code, 0) << run.errors;
   const Json json = Json::parse(run.output);
