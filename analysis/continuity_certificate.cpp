@@ -194,8 +194,7 @@ std::vector<CertificateCell> certify_box(const NormalForm<Function>& form, int c
   constexpr int longest = 4;
   constexpr std::array depths{30, 10, 6};  // for 1, 2 and more parameters
   const std::size_t dimension = box.lower.size();
-  const auto family =
-      divided(transition_matrices(form), pow(Rational(form.arity), form.factors - 1 - continuity));
+  const auto family = continuity_family(form, continuity);
   const Deadline for_conditions(deadline.left() / 4);
   CellOptions cell_options;
   cell_options.vertices = options.vertices;

@@ -198,8 +198,7 @@ void join(CertificateCell& earlier, const CertificateCell& later) {
 std::vector<CertificateCell> certify_line(const NormalForm<RationalFunction>& form, int continuity,
                                           const Rational& lower, const Rational& upper,
                                           const Deadline& deadline, const CertificateOptions& options) {
-  const Rational bound = pow(Rational(form.arity), form.factors - 1 - continuity);
-  const Family family = divided(transition_matrices(form), bound);
+  const Family family = continuity_family(form, continuity);
   const ExpandingLine line = expanding_line(family, lower, upper, deadline);
   constexpr int default_depth = 30;
   CellOptions cell_options;

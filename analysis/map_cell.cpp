@@ -88,6 +88,11 @@ MapCell CellDecider::decide(const ParameterBox& box) const {
   return cell;
 }
 
+std::vector<Matrix<RationalFunction>> continuity_family(const NormalForm<RationalFunction>& form,
+                                                        int continuity) {
+  return divided(transition_matrices(form), pow(Rational(form.arity), form.factors - 1 - continuity));
+}
+
 std::vector<Matrix<RationalFunction>> divided(std::vector<Matrix<RationalFunction>> family,
                                               const Rational& bound) {
   const RationalFunction scale(Rational(1) / bound);

@@ -7,6 +7,7 @@
 #include "analysis/bernstein_hull.h"
 #include "analysis/decision.h"
 #include "analysis/expanding_condition.h"
+#include "analysis/transition_matrices.h"
 
 namespace subdiv {
 
@@ -47,6 +48,11 @@ class CellDecider {
   BernsteinHull hull_;
   std::vector<std::pair<Word, RangedPolynomial>> conditions_;
 };
+
+/// The transition matrices of b times m^(continuity-n+1), n the number of factors: the scheme is
+/// C^continuity, 0 <= continuity < n, where their joint spectral radius is below 1 (hoelder.h).
+[[nodiscard]] std::vector<Matrix<RationalFunction>> continuity_family(
+    const NormalForm<RationalFunction>& form, int continuity);
 
 /// The family divided by the bound.
 [[nodiscard]] std::vector<Matrix<RationalFunction>> divided(std::vector<Matrix<RationalFunction>> family,

@@ -240,7 +240,7 @@ SchemeAnalysis analyse_intervals(const SchemeDescription& description, double se
     throw InputError(description.steps.back().text + ": " + error.what());
   }
   int rules = result.regularity.scheme->factors;
-  for (std::size_t i = 0; i < symbols.size(); ++i) {
+  for (std::size_t i = 0; i + 1 < symbols.size(); ++i) {
     rules = std::min(rules, allowed_sum_rules(symbols[i], scheme.arity()));
   }
   if (rules < 1) throw InputError(description.text + ": a step is not affinely invariant");
