@@ -57,6 +57,11 @@ Claim with_value(const ClaimHead& head, Verdict verdict, const Enclosure& value,
 
 }  // namespace
 
+ClaimHead finding(std::string id, std::string section, std::string definition) {
+  return {std::move(id), "subdivlab",      std::move(section),
+          std::nullopt,  ClaimKind::exact, std::move(definition)};
+}
+
 Claim settle(const ClaimHead& head, const Enclosure& value, std::string note) {
   if (!head.printed) {
     const bool proved = value.rigour != Rigour::approximate && value.status == Status::closed;

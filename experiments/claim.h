@@ -36,6 +36,9 @@ struct ClaimHead {
   std::string definition;  // what is computed, precise enough to redo it
 };
 
+/// The head of a finding of the project's own; the section is the one that it belongs to, "jsplines 3".
+[[nodiscard]] ClaimHead finding(std::string id, std::string section, std::string definition);
+
 /// A claim with its verdict. Values that are no numbers (a mask, a factorisation, "true") are exact text
 /// without ends.
 struct Claim {

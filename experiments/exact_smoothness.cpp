@@ -33,8 +33,8 @@ std::vector<ClaimHead> make_heads() {
   const auto printed = [&](const char* id, const char* section, const char* text, const std::string& what) {
     heads.push_back({id, "jsplines", section, text, ClaimKind::exact, what});
   };
-  const auto finding = [&](const std::string& id, const char* section, const std::string& definition) {
-    heads.push_back({id, "subdivlab", section, std::nullopt, ClaimKind::exact, definition});
+  const auto found = [&](const std::string& id, const char* section, const std::string& definition) {
+    heads.push_back(finding(id, section, definition));
   };
   printed(
       "smooth.conjecture", "3 (js-report 3)",
@@ -48,26 +48,24 @@ std::vector<ClaimHead> make_heads() {
   printed("smooth.list.c3", "3 (js-report 3)", "for 1 < s < 3/2 and 3/2 < s ≤ 2.8, *Js is C3", list);
   for (int m = 0; m < highest_order; ++m) {
     for (const char* side : {"lower", "upper"}) {
-      finding(fmt::format("smooth.exact.c{}.{}", m, side), "jsplines 3",
-              exact_definition + std::to_string(m) + ".");
+      found(fmt::format("smooth.exact.c{}.{}", m, side), "jsplines 3",
+            exact_definition + std::to_string(m) + ".");
     }
   }
-  finding("smooth.exact.c4", "jsplines 3", exact_definition + "4: the only point.");
-  finding(
-      "smooth.unstable", "jsplines 3",
-      "All s at which the integer shifts of the basis function are linearly dependent, so that limits can "
-      "be smoother than differences of control points tell.");
+  found("smooth.exact.c4", "jsplines 3", exact_definition + "4: the only point.");
+  found("smooth.unstable", "jsplines 3",
+        "All s at which the integer shifts of the basis function are linearly dependent, so that limits can "
+        "be smoother than differences of control points tell.");
   for (int m = 0; m < highest_order; ++m) {
-    finding(fmt::format("smooth.mixed.c{}", m), "jsplines 11", mixed_definition + std::to_string(m) + ".");
+    found(fmt::format("smooth.mixed.c{}", m), "jsplines 11", mixed_definition + std::to_string(m) + ".");
   }
   printed(
       "popping.schedule.c2", "11", "we strongly suspect that the smoothness of the curve is at least C2",
       "The largest norm of a transition matrix over all s in [1/5, 1/2], which holds every s_k of the "
       "schedule, in the norm whose unit ball is conv +-{(1,0), (0,1), (1,1)}: below 2 the limits are C2.");
-  finding(
-      "popping.schedule.exponent", "jsplines 11",
-      "A Hoelder exponent that the limits of the schedule have: 3 - log2 of the growth of the products of "
-      "that norm over the levels.");
+  found("popping.schedule.exponent", "jsplines 11",
+        "A Hoelder exponent that the limits of the schedule have: 3 - log2 of the growth of the products of "
+        "that norm over the levels.");
   return heads;
 }
 

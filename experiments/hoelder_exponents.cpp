@@ -24,17 +24,15 @@ constexpr int digits = 15;
 const std::string exponent_definition =
     "alpha(s), the largest exponent such that all limits of *J_s are Hoelder continuous of every smaller "
     "order: 3 - log2 rho(s), and 5 at s = 3/2. ";
-ClaimHead finding(const char* id, const std::string& definition) {
-  return {id, "subdivlab", "jsplines 3", std::nullopt, ClaimKind::exact, definition};
-}
+const std::string section = "jsplines 3";
 
 const std::array table{
-    finding("smooth.exponent.formula", exponent_definition + "In closed form, -6 < s < 10."),
-    finding("smooth.exponent.maximum", exponent_definition + "Its largest value."),
-    finding("smooth.exponent.minimum.s",
+    finding("smooth.exponent.formula", section, exponent_definition + "In closed form, -6 < s < 10."),
+    finding("smooth.exponent.maximum", section, exponent_definition + "Its largest value."),
+    finding("smooth.exponent.minimum.s", section,
             exponent_definition + "Its local minimum between s = 3/2 and s = 2."),
-    finding("smooth.exponent.minimum", exponent_definition + "Its value at that minimum."),
-    finding("smooth.exponent.attained",
+    finding("smooth.exponent.minimum", section, exponent_definition + "Its value at that minimum."),
+    finding("smooth.exponent.attained", section,
             "Are the limits of *J_s Hoelder continuous (Lipschitz for an integer) with the very exponent "
             "alpha(s)? Where the exponent is no integer, and at s = 0, 1, 3/2, 2, 3."),
 };

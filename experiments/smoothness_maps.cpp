@@ -38,21 +38,20 @@ const std::array<MapPlan, 2> plans{MapPlan{0, -7, 10, -10, 11}, MapPlan{1, -4, 7
 
 std::vector<ClaimHead> make_heads() {
   std::vector<ClaimHead> heads;
-  const auto finding = [&](const std::string& id, const std::string& definition) {
-    heads.push_back({id, "subdivlab", "jsplines 6", std::nullopt, ClaimKind::exact, definition});
+  const auto add = [&](const std::string& id, const std::string& definition) {
+    heads.push_back(finding(id, "jsplines 6", definition));
   };
   for (const MapPlan& plan : plans) {
     const std::string id = fmt::format("smooth.map.c{}.", plan.order);
     const std::string where = fmt::format(" in the rectangle {}, halved {} times.", plan.text(), depth);
-    finding(id + "in",
-            fmt::format("Area of the cells in which *J_{{a,b}} is proved to be C{}", plan.order) + where);
-    finding(
-        id + "out",
+    add(id + "in",
+        fmt::format("Area of the cells in which *J_{{a,b}} is proved to be C{}", plan.order) + where);
+    add(id + "out",
         fmt::format("Area of the cells in which the scheme *J_{{a,b}} is proved not to be C{}", plan.order) +
             where);
-    finding(id + "undecided", "Area of the cells that are neither" + where);
+    add(id + "undecided", "Area of the cells that are neither" + where);
   }
-  finding("smooth.map.depth", "Do the undecided areas of both maps fall with every halving of the cells?");
+  add("smooth.map.depth", "Do the undecided areas of both maps fall with every halving of the cells?");
   return heads;
 }
 

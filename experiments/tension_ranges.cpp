@@ -28,21 +28,23 @@ const std::string dual_definition =
     "Dual four-point scheme, rule (-7w, 3/4+9w, 1/4+3w, -5w) and its mirror image (Dyn, Floater & Hormann "
     "2005), for all control polygons: ";
 
-ClaimHead finding(const char* id, const std::string& definition) {
-  return {id, "subdivlab", "jsplines 2", std::nullopt, ClaimKind::exact, definition};
-}
+const std::string section = "jsplines 2";
 
 const std::array table{
-    finding("smooth.four-point.c1.lower", four_point_definition + "infimum of the w > 0 with C1 limits."),
-    finding("smooth.four-point.c1.upper", four_point_definition + "end of the exact range of C1 limits."),
-    finding("smooth.four-point.c0.upper", four_point_definition + "end of the w > 0 with continuous limits."),
+    finding("smooth.four-point.c1.lower", section,
+            four_point_definition + "infimum of the w > 0 with C1 limits."),
+    finding("smooth.four-point.c1.upper", section,
+            four_point_definition + "end of the exact range of C1 limits."),
+    finding("smooth.four-point.c0.upper", section,
+            four_point_definition + "end of the w > 0 with continuous limits."),
     ClaimHead{"smooth.dfh.c2.range", "jsplines", "2 (js-report 2)",
               "their method generates C2 curves for a large range of parameter values", ClaimKind::exact,
               dual_definition + "the exact set of w with C2 limits."},
-    finding("smooth.dfh.c2.upper", dual_definition + "end of the w > 0 with C2 limits."),
-    finding("smooth.dfh.c1.upper", dual_definition + "end of the w > 0 with C1 limits."),
-    finding("smooth.dfh.c2.single", dual_definition + "the w with C2 limits outside that interval."),
-    finding("smooth.dfh.c2.single.exponent", dual_definition + "Hoelder exponent of the limits there."),
+    finding("smooth.dfh.c2.upper", section, dual_definition + "end of the w > 0 with C2 limits."),
+    finding("smooth.dfh.c1.upper", section, dual_definition + "end of the w > 0 with C1 limits."),
+    finding("smooth.dfh.c2.single", section, dual_definition + "the w with C2 limits outside that interval."),
+    finding("smooth.dfh.c2.single.exponent", section,
+            dual_definition + "Hoelder exponent of the limits there."),
 };
 
 const ClaimHead& claim(const char* id) { return head(table, id); }

@@ -26,21 +26,20 @@ const std::string scheme_definition =
     "zero "
     "on the line ";
 
-ClaimHead finding(const char* id, const std::string& definition) {
-  return {id, "subdivlab", "jsplines 6", std::nullopt, ClaimKind::exact, definition};
-}
+const std::string section = "jsplines 6";
 
 const std::array table{
-    finding("smooth.ab.c2", "All (a, b) for which the limits of *J_{a,b} are C2 for all control polygons."),
-    finding("smooth.ab.c2.scheme",
+    finding("smooth.ab.c2", section,
+            "All (a, b) for which the limits of *J_{a,b} are C2 for all control polygons."),
+    finding("smooth.ab.c2.scheme", section,
             "All (a, b) for which third differences of *J_{a,b}, scaled by 4 at each level, tend to zero."),
     finding(
-        "smooth.ab.unstable",
+        "smooth.ab.unstable", section,
         "All (a, b) at which the integer shifts of the basis function of *J_{a,b} are linearly dependent."),
-    finding("smooth.ab.line.quadratic", limits_definition + "a = 2."),
-    finding("smooth.ab.line.even", limits_definition + "a = b - 1."),
-    finding("smooth.ab.line.cycle", limits_definition + "2a + b = 9."),
-    finding("smooth.ab.line.cycle.scheme", scheme_definition + "2a + b = 9."),
+    finding("smooth.ab.line.quadratic", section, limits_definition + "a = 2."),
+    finding("smooth.ab.line.even", section, limits_definition + "a = b - 1."),
+    finding("smooth.ab.line.cycle", section, limits_definition + "2a + b = 9."),
+    finding("smooth.ab.line.cycle.scheme", section, scheme_definition + "2a + b = 9."),
 };
 
 const ClaimHead& claim(const char* id) { return head(table, id); }

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/claim.h"
+#include "experiments/experiment.h"
 
 namespace subdiv::test {
 
@@ -20,6 +20,13 @@ inline const Claim& find_claim(const std::vector<Claim>& claims, const std::stri
 inline double value_of(const std::vector<Claim>& claims, const std::string& id) {
   const Claim& claim = find_claim(claims, id);
   return ((claim.lower.value() + claim.upper.value()) / Rational(2)).to_double();
+}
+
+/// The series with this name; std::out_of_range when there is none.
+inline const Series& find_series(const Results& results, const std::string& name) {
+  const auto found = std::ranges::find(results.series, name, &Series::name);
+  if (found == results.series.end()) throw std::out_of_range("no series " + name);
+  return *found;
 }
 
 }  // namespace subdiv::test

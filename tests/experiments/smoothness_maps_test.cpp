@@ -16,12 +16,7 @@ class SmoothnessMaps : public ::testing::Test {
     return all;
   }
   static const std::vector<Claim>& claims() { return results().claims; }
-  static const Series& series(const std::string& name) {
-    for (const Series& s : results().series) {
-      if (s.name == name) return s;
-    }
-    throw std::out_of_range(name);
-  }
+  static const Series& series(const std::string& name) { return test::find_series(results(), name); }
 };
 
 Rational exact_value(const Claim& claim) { return Rational::parse(claim.exact); }
