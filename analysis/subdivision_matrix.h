@@ -4,18 +4,10 @@
 #include <string>
 
 #include "schemes/algebra/matrix.h"
+#include "schemes/index_window.h"
 #include "schemes/mask.h"
 
 namespace subdiv {
-
-/// Consecutive indices first .. last of control points.
-struct IndexWindow {
-  int first = 0;
-  int last = -1;
-
-  [[nodiscard]] int size() const { return last - first + 1; }
-  friend bool operator==(const IndexWindow&, const IndexWindow&) = default;
-};
 
 /// The control points whose basis functions' closed supports contain the parameter 0: -last/(m-1) ..
 /// -first/(m-1). The refined points of these indices depend on no other control points, and every eigenvalue

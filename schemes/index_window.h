@@ -1,0 +1,14 @@
+#pragma once
+
+namespace subdiv {
+
+/// Consecutive indices first .. last of control points.
+struct IndexWindow {
+  int first = 0;
+  int last = -1;
+
+  [[nodiscard]] int size() const { return last - first + 1; }
+  friend bool operator==(const IndexWindow&, const IndexWindow&) = default;
+};
+
+}  // namespace subdiv
