@@ -1,28 +1,19 @@
 #include "experiments/data.h"
 
 #include <filesystem>
-#include <stdexcept>
 
-#include "experiments/report/csv.h"
-#include "experiments/report/files.h"
+#include "experiments/polygon_file.h"
 #include "schemes/input_error.h"
 
 namespace subdiv {
 
 std::vector<std::pair<Rational, Rational>> polygon_from_data(const std::string& file_name) {
   const std::filesystem::path path = std::filesystem::path(SUBDIVLAB_DATA_DIR) / file_name;
-  const CsvRows rows = from_csv(read_file(path));
+  const PointList<Rational> points = read_points<Rational>(path);
+  if (points.dimension() != 2) throw InputError(path.string() + ": expected lines x,y");
   std::vector<std::pair<Rational, Rational>> polygon;
-  for (std::size_t i = 1; i < rows.size(); ++i) {
-    try {
-      if (rows[i].size() != 2)
-        throw std::invalid_argument("it has " + std::to_string(rows[i].size()) + " columns");
-      polygon.emplace_back(Rational::parse(rows[i][0]), Rational::parse(rows[i][1]));
-    } catch (const std::invalid_argument& error) {
-      throw InputError(path.string() + ":" + std::to_string(i + 1) + ": not a point: " + error.what() +
-                       "; a line holds two numbers, x,y");
-    }
-  }
+  for (std::size_t i = 0; i < points.size(); ++i)
+    polygon.emplace_back(points.coordinates[0][i], points.coordinates[1][i]);
   return polygon;
 }
 
