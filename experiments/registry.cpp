@@ -10,6 +10,7 @@
 #include "experiments/limit_masks.h"
 #include "experiments/named_smoothness.h"
 #include "experiments/popping.h"
+#include "experiments/ringing.h"
 #include "experiments/smoothness.h"
 #include "experiments/smoothness_maps.h"
 #include "experiments/tension_ranges.h"
@@ -42,6 +43,7 @@ std::span<const Experiment> experiments() {
                  interpolation_heads, run_interpolation},
       Experiment{"area", "Area preservation (js-report 8, jsplines 8)", area_heads, run_area},
       Experiment{"popping", "Popping reduction (jsplines 11)", popping_heads, run_popping},
+      Experiment{"ringing", "Ringing (js-report 12, 14, appendix)", ringing_heads, run_ringing},
   };
   return all;
 }
