@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace subdiv {
+
+/// A file that appears whole or not at all: text goes to a temporary file beside the target, finish() gives
+/// it its name. Without finish() nothing has changed. Memory does not grow with the text.
+class OutputFile {
+ public:
+  /// Throws InputError that names the target when its folder takes no file.
+  explicit OutputFile(std::filesystem::path target);
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+  OutputFile(OutputFile&& other) noexcept;
+  OutputFile& operator=(OutputFile&&) = delete;
+  ~OutputFile();
+
+  /// Throws InputError that names the target when it cannot be written, as every call below.
+  void write(std::string_view text);
+  /// All that was written is in the temporary file, which is closed. write() may not follow.
+  void close();
+  /// The target has the new text. Closes first.
+  void finish();
+
+ private:
+  void flush();
+  [[noreturn]] void reject(int error) const;
+
+  std::filesystem::path target_;
+  std::string temporary_;  // empty where the text goes to the target itself
+  int file_ = -1;
+  std::string buffer_;
+};
+
+}  // namespace subdiv
