@@ -24,7 +24,7 @@ Mask<R> linear_step(int arity) {
 
 /// The scheme whose step number `depth` (counted from 1) is replaced; later steps are those of the original.
 template <class R>
-Scheme<R> with_step(const Scheme<R>& scheme, int depth, Mask<R> mask) {
+Scheme<R> with_step(const Scheme<R>& scheme, int depth, const Mask<R>& mask) {
   if (depth < 1) throw std::invalid_argument("a geomorph leads to a level of at least 1");
   const auto place = static_cast<std::size_t>(depth - 1);
   Scheme<R> result{scheme.name, {}};
