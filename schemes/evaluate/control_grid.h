@@ -68,46 +68,6 @@ ControlGrid<Point> transposed(const ControlGrid<Point>& grid) {
   return result;
 }
 
-/// Opens the direction of the rows: element k - 1 of `ends` gives row -k as a combination of rows 0, 1, ..,
-/// and mirrored the k-th row behind the last one (clamped_end, reflected_end). Rows already added are
-/// forgotten. Throws std::out_of_range when the combinations reach beyond the rows.
-template <class R, class Point>
-ControlGrid<Point> with_end_rows(const ControlGrid<Point>& grid, const std::vector<Laurent<R>>& ends) {
-  const Topology& old = grid.rows;
-  const auto first = static_cast<std::ptrdiff_t>(old.closed ? 0 : old.before);
-  const auto last = static_cast<std::ptrdiff_t>(old.points - (old.closed ? 0 : old.after));
-  const std::vector<ControlPolygon<Point>> given(grid.lines.begin() + first, grid.lines.begin() + last);
-  const auto combination = [&](const Laurent<R>& weights, bool mirrored) {
-    const auto line = [&](int j) -> const ControlPolygon<Point>& {
-      const auto i = static_cast<std::size_t>(j);
-      if (i >= given.size())
-        throw std::out_of_range("a direction of " + std::to_string(given.size()) +
-                                " points is too short for the points added at its ends");
-      return given[mirrored ? given.size() - 1 - i : i];
-    };
-    ControlPolygon<Point> sum = line(weights.first());
-    for (std::size_t column = 0; column < sum.points.size(); ++column) {
-      Point point = weights[weights.first()] * sum.points[column];
-      for (int j = weights.first() + 1; j <= weights.last(); ++j)
-        point = point + weights[j] * line(j).points[column];
-      sum.points[column] = std::move(point);
-    }
-    return sum;
-  };
-  ControlGrid<Point> result;
-  for (auto end = ends.rbegin(); end != ends.rend(); ++end) result.lines.push_back(combination(*end, false));
-  result.lines.insert(result.lines.end(), given.begin(), given.end());
-  for (const Laurent<R>& end : ends) result.lines.push_back(combination(end, true));
-  result.rows = {result.lines.size(), false, ends.size(), ends.size()};
-  return result;
-}
-
-/// The same for the direction of the columns.
-template <class R, class Point>
-ControlGrid<Point> with_end_columns(const ControlGrid<Point>& grid, const std::vector<Laurent<R>>& ends) {
-  return transposed(with_end_rows(transposed(grid), ends));
-}
-
 /// How often and by which scheme one direction of a grid is refined.
 template <class R>
 struct Refinement {

@@ -250,23 +250,6 @@ TEST(GridRinging, RefusesWhatIsNoGrid) {
   EXPECT_THROW(refine_grid_level_by_level(grid, j(q(1), 1), j(q(1), 1)), std::invalid_argument);
 }
 
-TEST(ControlGrid, EndsAreAddedInBothDirections) {
-  const std::vector<Laurent<Rational>> reflected{Laurent<Rational>(0, {q(2), q(-1)}),
-                                                 Laurent<Rational>(0, {q(2), q(0), q(-1)})};
-  const auto given = powers_on({3, true, 0, 0}, {4, true, 0, 0});
-  const auto open = with_end_rows(with_end_columns(given, reflected), reflected);
-  EXPECT_EQ(open.rows, (Topology{7, false, 2, 2}));
-  EXPECT_EQ(open.columns(), (Topology{8, false, 2, 2}));
-  EXPECT_EQ(open.at(1, 2), given.at(1, 2));
-  EXPECT_EQ(open.at(0, -1), q(2) * given.at(0, 0) - given.at(0, 1));
-  EXPECT_EQ(open.at(4, 0), q(2) * given.at(2, 0) - given.at(0, 0));
-  EXPECT_EQ(open.at(-1, 4), q(2) * open.at(0, 4) - open.at(1, 4));
-  const auto again = with_end_rows(open, reflected);  // added rows do not pile up
-  EXPECT_EQ(again.rows, open.rows);
-  EXPECT_EQ(again.at(-2, 3), open.at(-2, 3));
-  EXPECT_THROW(with_end_rows(powers_on({2, true, 0, 0}, {4, true, 0, 0}), reflected), std::out_of_range);
-}
-
 TEST(MovingPolygon, EveryPointRunsOnItsTrajectory) {  // an animated curve, js-report 13
   const auto grid = powers_on({3, true, 0, 0}, {4, true, 0, 0});
   const Scheme<Rational> motion = stationary("J", jspline(q(1, 2)));
