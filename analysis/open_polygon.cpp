@@ -87,7 +87,7 @@ std::optional<EndWeights<R>> clamped_by_formulas(const SchemeDescription& descri
   std::vector<R> values;
   for (const Expression& value : parameters.values)
     values.push_back(value_of<R>(value, description, free_values));
-  const IndexWindow window = ring_window(scheme);
+  const IndexWindow window = vertex_reach(scheme);
   auto start = evaluated<R>(formulas->start, values, -window.first);
   auto finish = evaluated<R>(formulas->finish, values, window.last);
   if (!start || !finish) return std::nullopt;
@@ -111,7 +111,7 @@ EndWeights<double> weights_of_inexact_masks(const SchemeDescription& description
   const Scheme<Interval> scheme = interval_scheme(description);
   const auto round = [](const Interval& x) { return nearest(x); };
   if (end == OpenEnd::reflected) {
-    const IndexWindow window = ring_window(scheme);
+    const IndexWindow window = vertex_reach(scheme);
     return {reflected_end<double>(-window.first), reflected_end<double>(window.last)};
   }
   if (const auto weights = clamped_by_formulas<Interval>(description, scheme, {})) {

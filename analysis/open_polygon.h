@@ -23,7 +23,7 @@ namespace subdiv {
 /// starts at P_0 and ends at P_{n-1}.
 enum class OpenEnd { clamped, reflected };
 
-/// The points to add at both ends, as many as the scheme's rings need (ring_window). Element k - 1 of `start`
+/// The points to add at both ends, as many as the curve depends on (vertex_reach). Element k - 1 of `start`
 /// is P_{-k}, coefficient j the weight of P_j; element k - 1 of `finish` is P_{n-1+k}, coefficient j the
 /// weight of P_{n-1-j}. Equal for schemes with symmetric masks.
 template <class R>
@@ -103,7 +103,7 @@ std::vector<Laurent<R>> clamped_points(const Laurent<R>& limit, const Laurent<R>
 /// masks that contradict each other.
 template <ExactRing R>
 EndWeights<R> end_weights(const Scheme<R>& scheme, OpenEnd end) {
-  const IndexWindow window = ring_window(scheme);
+  const IndexWindow window = vertex_reach(scheme);
   const int before = -window.first;
   const int after = window.last;
   if (end == OpenEnd::reflected) return {reflected_end<R>(before), reflected_end<R>(after)};

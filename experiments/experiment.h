@@ -26,6 +26,8 @@ struct Curve {
   std::string label;                 // shown in the key; empty hides it
   std::string style = "lines lw 2";  // gnuplot "with" clause: "points pt 7", "filledcurves closed"
   std::vector<std::string> more = {};
+  double right = 0;  // the drawing moves the curve by this in x and y: panels side by side
+  double up = 0;
 };
 
 /// A figure: results/figures/NAME.svg, drawn by gnuplot from series alone, byte-identical on every run.

@@ -2,6 +2,7 @@
 
 #include "experiments/area.h"
 #include "experiments/basis_fit.h"
+#include "experiments/curve_figures.h"
 #include "experiments/exact_smoothness.h"
 #include "experiments/experiment.h"
 #include "experiments/family.h"
@@ -43,6 +44,8 @@ std::span<const Experiment> experiments() {
                  interpolation_heads, run_interpolation},
       Experiment{"area", "Area preservation (js-report 8, jsplines 8)", area_heads, run_area},
       Experiment{"popping", "Popping reduction (jsplines 11)", popping_heads, run_popping},
+      Experiment{"curve-figures", "Figures of curves (js-report, jsplines, notes)", curve_figure_heads,
+                 run_curve_figures},
       Experiment{"ringing", "Ringing (js-report 12, 14, appendix)", ringing_heads, run_ringing},
   };
   return all;

@@ -14,6 +14,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <fmt/format.h>
+
 #include "experiments/report/utf8.h"
 #include "schemes/input_error.h"
 
@@ -72,9 +74,10 @@ std::string data_block(const Series& series, const Curve& curve, std::size_t ind
   return text + "end_of_data\n";
 }
 
-/// "1:2", and so on for more columns.
+/// "1:2", and so on for more columns; "($1+5):($2+0)" for a curve that is moved.
 std::string using_clause(const Curve& curve) {
-  std::string text = "1:2";
+  const bool moved = curve.right != 0 || curve.up != 0;
+  std::string text = moved ? fmt::format("(${}+{}):(${}+{})", 1, curve.right, 2, curve.up) : "1:2";
   for (std::size_t i = 0; i < curve.more.size(); ++i) text += ":" + std::to_string(i + 3);
   return text;
 }

@@ -38,20 +38,43 @@ IndexWindow parent_window(const Mask<R>& mask, const IndexWindow& window) {
           floor_divide(m - 1 + window.last - mask.symbol.first(), m)};
 }
 
-/// The offsets, seen from a vertex, of the points of one level that its descendants at this place need: the
-/// least window around 0 that every step of the scheme maps into itself, with at least m points. [-2, 2], the
-/// 5 points a level of js-report 12, for J_{a,b}.
+namespace detail {
+
+/// The least window that contains the given one and that one step back from a vertex maps into itself, for
+/// every step of the scheme.
 template <class R>
-IndexWindow ring_window(const Scheme<R>& scheme) {
+IndexWindow closed_window(const Scheme<R>& scheme, IndexWindow window) {
   const int m = scheme.arity();
-  IndexWindow window{0, 0};
   for (IndexWindow before{1, 0}; !(before == window);) {
     before = window;
     for (const Mask<R>& step : scheme.steps) {
       window.first = std::min(window.first, -floor_divide(step.symbol.last() - window.first, m));
       window.last = std::max(window.last, floor_divide(window.last - step.symbol.first(), m));
-      window.first = std::min(window.first, -floor_divide(step.symbol.last() - window.last + m - 1, m));
     }
+  }
+  return window;
+}
+
+}  // namespace detail
+
+/// The offsets, seen from a vertex, of the points of one level on which its descendants at this place depend:
+/// an open polygon has that many added points. [-2, 2] for J_{a,b}.
+template <class R>
+IndexWindow vertex_reach(const Scheme<R>& scheme) {
+  return detail::closed_window(scheme, {0, 0});
+}
+
+/// The offsets of the points that a ring keeps: vertex_reach, and what a parent that is ahead of its child must
+/// still hold. [-2, 2] for J_{a,b}, the 5 points a level of js-report 12.
+template <class R>
+IndexWindow ring_window(const Scheme<R>& scheme) {
+  const int m = scheme.arity();
+  IndexWindow window = vertex_reach(scheme);
+  for (IndexWindow before{1, 0}; !(before == window);) {
+    before = window;
+    for (const Mask<R>& step : scheme.steps)
+      window.first = std::min(window.first, -floor_divide(step.symbol.last() - window.last + m - 1, m));
+    window = detail::closed_window(scheme, window);
   }
   return window;
 }

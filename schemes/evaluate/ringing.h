@@ -1,8 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <iterator>
 #include <span>
+#include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -39,6 +42,7 @@ class Ringing {
         details_(std::move(details)) {
     if (depth < 0) throw std::invalid_argument("a refinement depth is at least 0");
     require_places(details_, controls.topology, arity_, depth);
+    require_ends(scheme);
     end_ = static_cast<long long>(refined_points(controls.topology, arity_, depth));
     for (int k = 0; k < depth; ++k)
       rules_.push_back(refinement_rules(scheme.step(static_cast<std::size_t>(k))));
@@ -115,7 +119,7 @@ class Ringing {
   /// Point `index` of a level from its parent ring, or from the control polygon.
   [[nodiscard]] Point computed_point(std::size_t level, long long index) {
     ++computed_[level];
-    Point result = level == 0 ? controls_->at(index) : refined(level, index);
+    Point result = level == 0 ? controls_->at(on_polygon(index)) : refined(level, index);
     if (!details_.empty()) {
       const auto period =
           static_cast<long long>(refined_points(controls_->topology, arity_, static_cast<int>(level)));
@@ -123,6 +127,26 @@ class Ringing {
       Details<Point>::apply(details_.at_level(static_cast<int>(level)), place, result);
     }
     return result;
+  }
+
+  void require_ends(const Scheme<R>& scheme) const {
+    const Topology& t = controls_->topology;
+    const IndexWindow reach = vertex_reach(scheme);
+    if (t.closed || t.points == 0) return;
+    if (static_cast<long long>(t.before) < -reach.first || static_cast<long long>(t.after) < reach.last) {
+      throw std::out_of_range("an open polygon needs " + std::to_string(-reach.first) +
+                              " points before its first vertex and " + std::to_string(reach.last) +
+                              " behind its last, it has " + std::to_string(t.before) + " and " +
+                              std::to_string(t.after));
+    }
+  }
+
+  /// A ring may hold a point that no point of the curve depends on; where an open polygon has none, any does.
+  [[nodiscard]] long long on_polygon(long long index) const {
+    const Topology& t = controls_->topology;
+    if (t.closed) return index;
+    const long long first = -static_cast<long long>(t.before);
+    return std::clamp(index, first, first + static_cast<long long>(t.points) - 1);
   }
 
   [[nodiscard]] Point refined(std::size_t level, long long index) const {

@@ -41,7 +41,7 @@ TEST(OpenPolygon, ClampedJsplinesForAllParameters) {
                                 {"0.476", q(476, 1000)},
                                 {"6", q(6)}}) {
     const EndWeights<Rational> ends = ends_of(std::string("jspline:s=") + text);
-    const IndexWindow window = ring_window(stationary("J", jspline(s)));
+    const IndexWindow window = vertex_reach(stationary("J", jspline(s)));
     EXPECT_EQ(ends.start, papers_points(s, static_cast<std::size_t>(-window.first))) << text;
     EXPECT_EQ(ends.finish, papers_points(s, static_cast<std::size_t>(window.last))) << text;
   }

@@ -44,7 +44,7 @@ TEST(Ringing, GivesTheSamePointsAsLevelByLevelRefinement) {  // js-report 12, ov
 
 TEST(Ringing, OpenCurvesEndAtTheLastVertexWithSpan) {
   for (const Scheme<Rational>& scheme : binary_and_ternary_schemes()) {
-    const IndexWindow window = ring_window(scheme);
+    const IndexWindow window = vertex_reach(scheme);
     const auto before = static_cast<std::size_t>(-window.first);
     const auto after = static_cast<std::size_t>(window.last);
     for (const std::size_t spans : {0U, 1U, 4U}) {
