@@ -53,6 +53,13 @@ Scheme<R> mixed(const Scheme<R>& first, const Scheme<R>& rest) {
   return result;
 }
 
+/// The scheme that goes on after the first k steps.
+template <class R>
+Scheme<R> after_steps(const Scheme<R>& scheme, std::size_t k) {
+  const std::size_t done = std::min(k, scheme.steps.size() - 1);
+  return {scheme.name, {scheme.steps.begin() + static_cast<std::ptrdiff_t>(done), scheme.steps.end()}};
+}
+
 /// The symbol of k steps at once: a_{k-1}(z) a_{k-2}(z^m) ... a_0(z^(m^(k-1))); its coefficient i is the
 /// value at i / m^k of the sequence refined k times from a unit impulse. k = 0 gives 1.
 template <class R>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <vector>
 
 #include "schemes/index_window.h"
@@ -40,32 +41,47 @@ IndexWindow parent_window(const Mask<R>& mask, const IndexWindow& window) {
 
 namespace detail {
 
-/// The least window that contains the given one and that one step back from a vertex maps into itself, for
-/// every step of the scheme.
+/// The offsets from a vertex on which the offsets of a window depend, seen from the vertex one level below.
+template <class R>
+IndexWindow parents(const Mask<R>& mask, const IndexWindow& window) {
+  return {-floor_divide(mask.symbol.last() - window.first, mask.arity),
+          floor_divide(window.last - mask.symbol.first(), mask.arity)};
+}
+
+inline IndexWindow joined(const IndexWindow& a, const IndexWindow& b) {
+  return {std::min(a.first, b.first), std::max(a.last, b.last)};
+}
+
+/// The least window that contains the given one and its parents by every step of the scheme.
 template <class R>
 IndexWindow closed_window(const Scheme<R>& scheme, IndexWindow window) {
-  const int m = scheme.arity();
   for (IndexWindow before{1, 0}; !(before == window);) {
     before = window;
-    for (const Mask<R>& step : scheme.steps) {
-      window.first = std::min(window.first, -floor_divide(step.symbol.last() - window.first, m));
-      window.last = std::max(window.last, floor_divide(window.last - step.symbol.first(), m));
-    }
+    for (const Mask<R>& step : scheme.steps) window = joined(window, parents(step, window));
   }
   return window;
 }
 
 }  // namespace detail
 
-/// The offsets, seen from a vertex, of the points of one level on which its descendants at this place depend:
-/// an open polygon has that many added points. [-2, 2] for J_{a,b}.
+/// The offsets, seen from a vertex, of the points of one level on which its descendants at this place depend,
+/// however deep: an open polygon has that many added points. [-2, 2] for J_{a,b}.
 template <class R>
 IndexWindow vertex_reach(const Scheme<R>& scheme) {
   return detail::closed_window(scheme, {0, 0});
 }
 
-/// The offsets of the points that a ring keeps: vertex_reach, and what a parent that is ahead of its child must
-/// still hold. [-2, 2] for J_{a,b}, the 5 points a level of js-report 12.
+/// The same for `depth` steps and no more, of control points.
+template <class R>
+IndexWindow vertex_reach(const Scheme<R>& scheme, int depth) {
+  IndexWindow window{0, 0};
+  for (int k = depth; k-- > 0;)
+    window = detail::joined({0, 0}, detail::parents(scheme.step(static_cast<std::size_t>(k)), window));
+  return window;
+}
+
+/// The offsets of the points that a ring keeps: vertex_reach, and what a parent that is ahead of its child
+/// must still hold. [-2, 2] for J_{a,b}, the 5 points a level of js-report 12.
 template <class R>
 IndexWindow ring_window(const Scheme<R>& scheme) {
   const int m = scheme.arity();

@@ -42,7 +42,7 @@ class Ringing {
         details_(std::move(details)) {
     if (depth < 0) throw std::invalid_argument("a refinement depth is at least 0");
     require_places(details_, controls.topology, arity_, depth);
-    require_ends(scheme);
+    require_ends(vertex_reach(scheme, depth));
     end_ = static_cast<long long>(refined_points(controls.topology, arity_, depth));
     for (int k = 0; k < depth; ++k)
       rules_.push_back(refinement_rules(scheme.step(static_cast<std::size_t>(k))));
@@ -129,9 +129,8 @@ class Ringing {
     return result;
   }
 
-  void require_ends(const Scheme<R>& scheme) const {
+  void require_ends(const IndexWindow& reach) const {
     const Topology& t = controls_->topology;
-    const IndexWindow reach = vertex_reach(scheme);
     if (t.closed || t.points == 0) return;
     if (static_cast<long long>(t.before) < -reach.first || static_cast<long long>(t.after) < reach.last) {
       throw std::out_of_range("an open polygon needs " + std::to_string(-reach.first) +

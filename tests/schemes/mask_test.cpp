@@ -63,5 +63,14 @@ TEST(Scheme, CoefficientsMapIntoOtherRings) {
   EXPECT_DOUBLE_EQ(doubles.step(1).symbol[0], 0.625);
 }
 
+TEST(Scheme, GoesOnAfterSomeSteps) {
+  const auto step = [](int i) { return Mask<Rational>{2, Laurent<Rational>(i)}; };
+  const Scheme<Rational> scheme{"three", {step(1), step(2), step(3)}};
+  for (std::size_t k = 0; k < 5; ++k) {
+    const Scheme<Rational> rest = after_steps(scheme, k);
+    for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(rest.step(i), scheme.step(k + i));
+  }
+}
+
 }  // namespace
 }  // namespace subdiv

@@ -60,6 +60,13 @@ TEST(Ringing, OpenCurvesEndAtTheLastVertexWithSpan) {
   }
 }
 
+TEST(Ringing, OpenCurvesOfFewStepsNeedFewerPoints) {  // one step of J_s reaches one point beyond a vertex
+  const ControlPolygon<Rational> controls = open_polygon(powers(6), 1, 1);
+  const Rationals points = by_ringing(j(q(1, 2)), controls, 1);
+  EXPECT_EQ(points, curve_points(refine_level_by_level(j(q(1, 2)), controls, 1)));
+  EXPECT_THROW((Ringing<Rational, Rational>(j(q(1, 2)), controls, 2)), std::out_of_range);
+}
+
 TEST(Ringing, BeginsAnywhere) {
   const ControlPolygon<Rational> controls = closed_polygon(powers(5));
   const Scheme<Rational> scheme = mixed(j(q(-33, 26)), j(q(3, 2)));
