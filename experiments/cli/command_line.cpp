@@ -49,6 +49,8 @@ struct CommandLine {
   AnalyzeOptions analyze_options;
   OptimizeOptions optimize_options;
   CertifyOptions certify_options;
+  RefineOptions refine_options;
+  MeasureOptions measure_options;
   ListOptions list_options;
 
   CommandLine() {
@@ -62,6 +64,8 @@ struct CommandLine {
     add_analyze();
     add_optimize();
     add_certify();
+    add_refine();
+    add_measure();
     add_list();
   }
 
@@ -165,6 +169,75 @@ struct CommandLine {
                             "--continuity 1 --json\n\n") +
                 exit_codes);
     verb.callback([this] { action = [this] { return certify(certify_options); }; });
+  }
+
+  void add_refine() {
+    auto& options = refine_options;
+    CLI::App& verb = *app.add_subcommand("refine", "Refine a polygon or a grid");
+    verb.add_option("SCHEME", options.scheme, "The scheme, with a value for every parameter")->required();
+    verb.add_option("INPUT", options.input, "Control points: .csv (x,y[,z] a line) or .obj")->required();
+    constexpr int most = 62;
+    verb.add_option("--levels,-k", options.levels, "How often: K steps of the scheme")
+        ->type_name("K")
+        ->check(CLI::Range(0, most))
+        ->required();
+    verb.add_option("--out,-o", options.out, "A .csv, .obj or .svg file, or - for standard output")
+        ->type_name("OUTPUT")
+        ->required();
+    const CLI::IsMember ends({"clamped", "reflected"});
+    verb.add_option("--open", options.open,
+                    "An open curve, or open rows of a grid: clamped or reflected ends")
+        ->type_name("ENDS")
+        ->check(ends);
+    verb.add_option("--grid", options.grid, "The points are a grid, a row after the other")
+        ->type_name("ROWSxCOLUMNS");
+    verb.add_option("--open-across", options.open_across, "Open columns of a grid")
+        ->type_name("ENDS")
+        ->check(ends);
+    verb.add_option("--details", options.details,
+                    "Points moved at their levels: .csv lines level,index,dx,dy[,dz]")
+        ->type_name("FILE");
+    verb.add_option("--retrofit", options.retrofit,
+                    "Make the limit pass through the points: direct, or by the papers' iteration")
+        ->type_name("HOW")
+        ->check(CLI::IsMember({"direct", "iteration"}));
+    verb.add_flag("--limit", options.limit, "Write the limit points of the last level");
+    verb.footer(std::string("Examples:  subdivlab refine jspline:s=1/2 square.csv --levels 5 -o curve.svg\n"
+                            "           subdivlab refine jspline:s=3/2 path.csv --open clamped -k 8 -o -\n"
+                            "           subdivlab refine bspline:degree=3 torus.csv --grid 4x6 -k 3 -o "
+                            "torus.obj\n\n") +
+                exit_codes);
+    verb.callback([this] { action = [this] { return refine(refine_options); }; });
+  }
+
+  void add_measure() {
+    auto& options = measure_options;
+    CLI::App& verb = *app.add_subcommand("measure", "Measure polygons and their refinements");
+    verb.add_option("INPUT", options.input, "The points: .csv (x,y[,z] a line) or .obj")->required();
+    verb.add_option("--open", options.open,
+                    "An open polygon: plain, or with the ends of a scheme, clamped or reflected")
+        ->type_name("ENDS")
+        ->check(CLI::IsMember({"plain", "clamped", "reflected"}));
+    CLI::Option& scheme =
+        *verb.add_option("--scheme", options.scheme, "Measure its refinements, too")->type_name("SCHEME");
+    constexpr int most = 62;
+    verb.add_option("--levels,-k", options.levels, "How often to refine")
+        ->type_name("K")
+        ->check(CLI::Range(0, most))
+        ->needs(&scheme);
+    verb.add_option("--against", options.against, "Another polygon: the Hausdorff distance between them")
+        ->type_name("FILE");
+    verb.add_option("--tolerance", options.tolerance,
+                    "Width of the bounds of distances (default: a millionth of the extent)")
+        ->type_name("T")
+        ->check(positive_number());
+    verb.add_flag("--json", options.json, "Machine-readable output; numbers are strings");
+    verb.footer(
+        std::string("Examples:  subdivlab measure square.csv\n"
+                    "           subdivlab measure square.csv --scheme jspline:s=3/8 --levels 6\n"
+                    "           subdivlab measure curve.csv --against other.csv --tolerance 1e-9\n\n") +
+        exit_codes);
+    verb.callback([this] { action = [this] { return measure(measure_options); }; });
   }
 
   void add_list() {

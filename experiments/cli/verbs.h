@@ -58,6 +58,33 @@ struct CertifyOptions {
 /// Proves or refutes a class of continuity for all values of the scheme's free parameters in a box.
 [[nodiscard]] int certify(const CertifyOptions& options);
 
+struct RefineOptions {
+  std::string scheme;
+  int levels = 0;
+  std::string input;        // .csv or .obj
+  std::string out;          // .csv, .obj, .svg or - for standard output
+  std::string open;         // clamped, reflected or empty for closed: a curve, or the rows of a grid
+  std::string open_across;  // the same for the columns of a grid
+  std::string grid;         // "ROWSxCOLUMNS", or empty for a curve
+  std::string details;      // .csv: level,index,dx,dy
+  std::string retrofit;     // direct, iteration or empty
+  bool limit = false;       // limit points instead of the refined ones
+};
+/// Refines a polygon or a grid and writes it as it comes.
+[[nodiscard]] int refine(const RefineOptions& options);
+
+struct MeasureOptions {
+  std::string input;
+  std::string open;    // whether the polygon is open: clamped, reflected for a scheme; "plain" without
+  std::string scheme;  // measure the levels of its refinements, too
+  int levels = 0;
+  std::string against;   // a second polygon
+  double tolerance = 0;  // of distances; 0 for a millionth of the extent
+  bool json = false;
+};
+/// Prints length, area, normal jerk and distances of polygons.
+[[nodiscard]] int measure(const MeasureOptions& options);
+
 struct ListOptions {
   std::string what;  // schemes, claims, objectives, or empty for all three
   bool json = false;

@@ -130,8 +130,8 @@ void append_number(std::string& text, double x) {
     throw InputError("a coordinate leaves the range of doubles (about 1.8e308); scale the points down");
   }
   std::array<char, 32> digits{};  // the longest double takes 24
-  const char* end = std::to_chars(digits.data(), digits.data() + digits.size(), x).ptr;
-  text.append(digits.data(), end);
+  const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), x);
+  text.append(digits.data(), static_cast<std::size_t>(end - digits.data()));
 }
 
 void write_curve(OutputFile& file, CurveFormat format, const CurveBlocks<double>& curve, bool closed) {
