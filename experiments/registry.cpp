@@ -10,6 +10,7 @@
 #include "experiments/interpolation.h"
 #include "experiments/limit_masks.h"
 #include "experiments/named_smoothness.h"
+#include "experiments/polygon_curves.h"
 #include "experiments/popping.h"
 #include "experiments/ringing.h"
 #include "experiments/smoothness.h"
@@ -44,6 +45,8 @@ std::span<const Experiment> experiments() {
                  interpolation_heads, run_interpolation},
       Experiment{"area", "Area preservation (js-report 8, jsplines 8)", area_heads, run_area},
       Experiment{"popping", "Popping reduction (jsplines 11)", popping_heads, run_popping},
+      Experiment{"polygon-curves", "Tendencies on a family of polygons (js-report 1 .. 9, jsplines 4 .. 11)",
+                 polygon_curve_heads, run_polygon_curves},
       Experiment{"curve-figures", "Figures of curves (js-report, jsplines, notes)", curve_figure_heads,
                  run_curve_figures},
       Experiment{"ringing", "Ringing (js-report 12, 14, appendix)", ringing_heads, run_ringing},
