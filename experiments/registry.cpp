@@ -15,6 +15,7 @@
 #include "experiments/ringing.h"
 #include "experiments/smoothness.h"
 #include "experiments/smoothness_maps.h"
+#include "experiments/surfaces.h"
 #include "experiments/tension_ranges.h"
 #include "experiments/two_parameter_smoothness.h"
 
@@ -50,6 +51,8 @@ std::span<const Experiment> experiments() {
       Experiment{"curve-figures", "Figures of curves (js-report, jsplines, notes)", curve_figure_heads,
                  run_curve_figures},
       Experiment{"ringing", "Ringing (js-report 12, 14, appendix)", ringing_heads, run_ringing},
+      Experiment{"surfaces", "Grid surfaces: ringing and popping (js-report 9, 13, 14; jsplines 10, 11)",
+                 surface_heads, run_surfaces},
   };
   return all;
 }
