@@ -75,7 +75,7 @@ std::string area_text(const Measures& m) {
 }
 
 void print_table(const std::vector<Measures>& all) {
-  constexpr std::size_t wide = 22;
+  constexpr std::size_t wide = 17;
   constexpr std::size_t narrow = 12;
   const bool levels = all.size() > 1;
   std::cout << padded("level", 7) << padded("points", narrow) << padded("length", wide)

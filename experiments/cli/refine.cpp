@@ -58,8 +58,12 @@ Curve retrofitted(const Curve& target, const SchemeDescription& scheme, const st
       throw InputError("--retrofit: " + scheme.text + ": " + error.what());
     }
   }();
-  return how == "iteration" ? retrofit_by_iteration(mask, target).polygon
-                            : retrofit_directly(mask, target).polygon;
+  try {
+    return how == "iteration" ? retrofit_by_iteration(mask, target).polygon
+                              : retrofit_directly(mask, target).polygon;
+  } catch (const InputError& error) {
+    throw InputError("--retrofit " + how + ": " + error.what());
+  }
 }
 
 /// The curve at the level of the last detail, all of them applied.

@@ -1,0 +1,98 @@
+#include <cmath>
+#include <fstream>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/experiments/cli/program.h"
+
+namespace subdiv {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Strings = std::vector<std::string>;
+
+class Measure : public ::testing::Test {
+ protected:
+  void file(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_.path() / name, std::ios::binary) << text;
+  }
+  ProgramRun run(Strings arguments) const {
+    arguments.insert(arguments.begin(), "measure");
+    return run_program(arguments, folder_.path());
+  }
+  Json json(Strings arguments) const {
+    arguments.emplace_back("--json");
+    const ProgramRun result = run(arguments);
+    EXPECT_EQ(result.exit_code, 0) << result.errors;
+    return Json::parse(result.output);
+  }
+
+ private:
+  TemporaryFolder folder_;
+};
+
+double number(const Json& text) { return std::stod(text.get<std::string>()); }
+
+TEST_F(Measure, ASquare) {
+  file("square.csv", "0,0\n4,0\n4,4\n0,4\n");
+  const Json level = json({"square.csv"})["levels"][0];
+  EXPECT_EQ(level["points"], 4);
+  EXPECT_EQ(number(level["length"]), 16);
+  EXPECT_EQ(number(level["area"]), 16);
+  // A = (0,4), B = (0,0), C = (4,0), D = (4,4): -A + 3B - 3C + D = (-8, 0), along BC.
+  EXPECT_EQ(number(level["normal_jerk"]["largest"]), 0);
+}
+
+TEST_F(Measure, OpenPolygonsAndSpace) {
+  file("path.csv", "0,0,0\n3,4,0\n3,4,12\n");
+  const Json open = json({"path.csv", "--open", "plain"});
+  EXPECT_EQ(number(open["levels"][0]["length"]), 17);
+  EXPECT_FALSE(open["levels"][0].contains("area"));
+  const Json closed = json({"path.csv"});
+  EXPECT_EQ(number(closed["levels"][0]["length"]), 30);
+  EXPECT_EQ(closed["levels"][0]["vector_area"].size(), 3U);  // 1/2 (3,4,0) x (3,4,12) = (24, -18, 0)
+  EXPECT_EQ(number(closed["levels"][0]["vector_area"][0]), 24);
+  EXPECT_EQ(number(closed["levels"][0]["vector_area"][1]), -18);
+}
+
+TEST_F(
+    Measure,
+    LevelsOfAScheme) {  // J_{0,1} moves nothing; a square under *J_1 has area tending to that of its spline
+  file("square.csv", "0,0\n4,0\n4,4\n0,4\n");
+  const Json linear = json({"square.csv", "--scheme", "jspline:a=0,b=1", "--levels", "2"});
+  for (const std::size_t k : {1U, 2U}) {
+    EXPECT_EQ(number(linear["levels"][k]["displacement"]), 0);
+    EXPECT_LE(number(linear["levels"][k]["hausdorff"]["upper"]), 1e-5);
+    EXPECT_EQ(number(linear["levels"][k]["area"]), 16);
+  }
+  const Json cubic = json({"square.csv", "--scheme", "bspline:degree=1", "--levels", "1"});
+  EXPECT_EQ(cubic["levels"].size(), 2U);
+}
+
+TEST_F(Measure, DistanceBetweenPolygons) {
+  file("square.csv", "0,0\n4,0\n4,4\n0,4\n");
+  file("moved.csv", "1,0\n5,0\n5,4\n1,4\n");
+  const Json result = json({"square.csv", "--against", "moved.csv", "--tolerance", "1e-9"})["against"];
+  EXPECT_LE(number(result["hausdorff"]["lower"]), 1);
+  EXPECT_GE(number(result["hausdorff"]["upper"]), 1 - 1e-12);
+  EXPECT_LE(number(result["hausdorff"]["upper"]) - number(result["hausdorff"]["lower"]), 1.001e-9);
+  expect_contains(run({"square.csv", "--against", "moved.csv"}).output, "Hausdorff distance to moved.csv");
+}
+
+TEST_F(Measure, BadInputEndsWith2) {
+  file("square.csv", "0,0\n4,0\n4,4\n0,4\n");
+  file("space.csv", "0,0,0\n1,1,1\n");
+  const auto rejects = [&](const Strings& arguments, const Strings& parts) {
+    expect_rejected(run(arguments), parts);
+  };
+  rejects({"absent.csv"}, {"absent.csv"});
+  rejects({"square.csv", "--levels", "2"}, {"--scheme"});
+  rejects({"square.csv", "--open", "plain", "--scheme", "jspline:s=1", "--levels", "1"}, {"--open plain"});
+  rejects({"square.csv", "--against", "space.csv"}, {"space.csv", "3"});
+  rejects({"square.csv", "--scheme", "jspline:s=1", "--levels", "40"}, {"--levels 40"});
+  rejects({"square.csv", "--tolerance", "0"}, {"--tolerance"});
+}
+
+}  // namespace
+}  // namespace subdiv
