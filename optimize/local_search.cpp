@@ -29,12 +29,12 @@ double van_der_corput(int n, int base) {
   return value;
 }
 
-Point start_point(const Problem& problem, int n) {
+Point start_point(const std::vector<Range>& box, int n) {
   constexpr int bases[] = {2, 3, 5, 7, 11, 13};
   Point x;
-  for (std::size_t i = 0; i < problem.box.size(); ++i) {
-    const double low = problem.box[i].lower.to_double();
-    const double high = problem.box[i].upper.to_double();
+  for (std::size_t i = 0; i < box.size(); ++i) {
+    const double low = box[i].lower.to_double();
+    const double high = box[i].upper.to_double();
     x.push_back(low + (high - low) * van_der_corput(n + 1, bases[i]));
   }
   return x;
@@ -91,33 +91,41 @@ bool search_least_squares(const Problem& problem, const std::vector<CompiledResi
   return summary.IsSolutionUsable();
 }
 
-bool search_with_kinks(const Problem& problem, const std::vector<CompiledResidual>& residuals, Point& x) {
+/// Improves x by Sbplx; false when the solver fails.
+template <class Value>
+bool search_by_sbplx(const Value& value, const std::vector<Range>& box, double tolerance, int most_values,
+                     Point& x) {
   nlopt::opt solver(nlopt::LN_SBPLX, static_cast<unsigned>(x.size()));
   Point low;
   Point high;
-  for (const Range& range : problem.box) {
+  for (const Range& range : box) {
     low.push_back(range.lower.to_double());
     high.push_back(range.upper.to_double());
   }
   solver.set_lower_bounds(low);
   solver.set_upper_bounds(high);
-  const auto value = [&](const Point& at) { return evaluate(problem.norm, residuals, at); };
-  using Value = decltype(value);
   solver.set_min_objective(
       [](const Point& at, Point&, void* data) { return (*static_cast<const Value*>(data))(at); },
       const_cast<void*>(static_cast<const void*>(&value)));
-  // Over several parameters this only finds the valley: descend_epigraph finds its bottom.
-  const bool is_final = x.size() == 1;
-  solver.set_xtol_rel(is_final ? 1e-13 : 1e-9);
-  solver.set_maxeval(is_final ? 20000 : 500 * static_cast<int>(x.size()));
+  solver.set_xtol_rel(tolerance);
+  solver.set_maxeval(most_values);
   double reached = 0;
   try {
     solver.optimize(x, reached);
   } catch (const nlopt::roundoff_limited&) {
-    reached = value(x);  // x holds the best point so far
+    return true;  // x holds the best point so far
   } catch (const std::runtime_error&) {
     return false;
   }
+  return true;
+}
+
+bool search_with_kinks(const Problem& problem, const std::vector<CompiledResidual>& residuals, Point& x) {
+  const auto value = [&](const Point& at) { return evaluate(problem.norm, residuals, at); };
+  // Over several parameters this only finds the valley: descend_epigraph finds its bottom.
+  const bool is_final = x.size() == 1;
+  const int most_values = is_final ? 20000 : 500 * static_cast<int>(x.size());
+  if (!search_by_sbplx(value, problem.box, is_final ? 1e-13 : 1e-9, most_values, x)) return false;
   if (!is_final) x = descend_epigraph(problem, residuals, x);
   return true;
 }
@@ -136,6 +144,19 @@ bool same_point(const Point& a, const Point& b) {
                     [](double x, double y) { return std::abs(x - y) <= tolerance * (1 + std::abs(x)); });
 }
 
+/// Best first, points that agree once.
+std::vector<LocalMinimum> distinct_minima(std::vector<LocalMinimum> found) {
+  std::stable_sort(found.begin(), found.end(),
+                   [](const LocalMinimum& a, const LocalMinimum& b) { return a.objective < b.objective; });
+  std::vector<LocalMinimum> distinct;
+  for (LocalMinimum& candidate : found) {
+    const bool known = std::any_of(distinct.begin(), distinct.end(),
+                                   [&](const LocalMinimum& d) { return same_point(d.x, candidate.x); });
+    if (!known) distinct.push_back(std::move(candidate));
+  }
+  return distinct;
+}
+
 }  // namespace
 
 std::optional<LocalMinimum> improve(const Problem& problem, const std::vector<double>& start) {
@@ -146,18 +167,26 @@ std::vector<LocalMinimum> local_minima(const Problem& problem, const Options& op
   const std::vector<CompiledResidual> residuals = compile(problem, double_precision);
   std::vector<LocalMinimum> found;
   for (int n = 0; n < options.starts; ++n) {
-    if (auto minimum = descend(problem, residuals, start_point(problem, n)))
+    if (auto minimum = descend(problem, residuals, start_point(problem.box, n)))
       found.push_back(std::move(*minimum));
   }
-  std::stable_sort(found.begin(), found.end(),
-                   [](const LocalMinimum& a, const LocalMinimum& b) { return a.objective < b.objective; });
-  std::vector<LocalMinimum> distinct;
-  for (LocalMinimum& candidate : found) {
-    const bool known = std::any_of(distinct.begin(), distinct.end(),
-                                   [&](const LocalMinimum& d) { return same_point(d.x, candidate.x); });
-    if (!known) distinct.push_back(std::move(candidate));
+  return distinct_minima(std::move(found));
+}
+
+std::vector<LocalMinimum> local_minima(const std::function<double(const std::vector<double>&)>& function,
+                                       const std::vector<Range>& box, int starts, double tolerance) {
+  const auto value = [&](const Point& x) {
+    const double result = function(x);
+    return std::isfinite(result) ? result : std::numeric_limits<double>::max();
+  };
+  std::vector<LocalMinimum> found;
+  for (int n = 0; n < starts; ++n) {
+    Point x = start_point(box, n);
+    if (!search_by_sbplx(value, box, tolerance, 1000 * static_cast<int>(x.size()), x)) continue;
+    const double reached = value(x);
+    if (reached < std::numeric_limits<double>::max()) found.push_back({std::move(x), reached});
   }
-  return distinct;
+  return distinct_minima(std::move(found));
 }
 
 }  // namespace subdiv

@@ -60,6 +60,8 @@ std::string to_string(Termination termination) {
       return "not isolated";
     case Termination::pole_in_box:
       return "pole in box";
+    case Termination::local:
+      return "local";
     case Termination::no_local_minimum:
       break;
   }

@@ -11,6 +11,7 @@
 #include "optimize/continuum_fit.h"
 #include "optimize/objectives.h"
 #include "optimize/popping_schedule.h"
+#include "optimize/scheme_requirements.h"
 #include "schemes/input_error.h"
 #include "schemes/jspline.h"
 
@@ -19,66 +20,23 @@ namespace {
 
 using Function = RationalFunction;
 
-[[noreturn]] void lacks(const Objective& objective, const Scheme<Function>& scheme, const std::string& what) {
-  throw InputError(fmt::format("objective {} and scheme {}: {}", to_string(objective), scheme.name, what));
-}
-
 std::vector<Function> coefficients(const Laurent<Function>& difference) {
   return difference.is_zero() ? std::vector<Function>{Function(0)} : difference.coefficients();
-}
-
-/// The mean of the limit function: the sum of mean_k / 2^(k+1) over the steps, mean_k the mean index of step
-/// k's coefficients.
-Function limit_mean(const Scheme<Function>& scheme) {
-  Function mean;
-  bool is_last = true;
-  for (auto step = scheme.steps.rbegin(); step != scheme.steps.rend(); ++step) {
-    const Function own = sum(euler_derivative(step->symbol)) / sum(step->symbol);
-    mean = is_last ? own : (mean + own) / Function(2);
-    is_last = false;
-  }
-  return mean;
-}
-
-void require_steps(const Objective& objective, const Scheme<Function>& scheme) {
-  if (scheme.arity() != 2) {
-    lacks(objective, scheme, fmt::format("the objective needs arity 2, the scheme has {}", scheme.arity()));
-  }
-  for (const Mask<Function>& step : scheme.steps) {
-    const Function total = sum(step.symbol);
-    if (total == Function(2)) continue;
-    lacks(objective, scheme, "the coefficients of a step add up to " + total.to_string() + ", not to 2");
-  }
-}
-
-Rational constant_centre(const Objective& objective, const Scheme<Function>& scheme, const Function& centre) {
-  if (!centre.is_constant()) {
-    lacks(objective, scheme, "the mask's centre moves with the parameters: " + centre.to_string());
-  }
-  return centre.constant();
-}
-
-void require_primal(const Objective& objective, const Scheme<Function>& scheme) {
-  const Rational centre = constant_centre(objective, scheme, limit_mean(scheme));
-  if (centre.sign() == 0) return;
-  lacks(objective, scheme,
-        fmt::format("the objective needs a primal scheme, centred at index 0; this one's centre is {}",
-                    centre.to_string()));
 }
 
 std::vector<Function> fit_residuals(const Objective& objective, const Scheme<Function>& scheme) {
   const UniformBspline target(objective.degree);
   if (objective.continuum) {
-    const Rational centre = constant_centre(objective, scheme, limit_mean(scheme));
+    const Rational centre = constant_centre(to_string(objective), scheme, limit_mean(scheme));
     if (!(centre * Rational(2)).is_integer()) {
-      lacks(objective, scheme,
+      lacks(to_string(objective), scheme,
             "the centre must be an integer or half an integer, it is " + centre.to_string());
     }
     return {squared_distance(scheme, objective.degree, centre)};
   }
   const Laurent<Function> iterate = iterated_symbol(scheme, objective.level);
   const Function mean = sum(euler_derivative(iterate)) / sum(iterate);
-  const Rational centre = constant_centre(objective, scheme, mean);
+  const Rational centre = constant_centre(to_string(objective), scheme, mean);
   const Rational spacing = Rational::power_of_two(-objective.level);
   // Where the iterate has no coefficient but the B-spline a value, the residual is the value.
   const Rational reach = target.half_width() / spacing;
@@ -103,7 +61,7 @@ Mask<Function> at_minimiser(const Objective& objective, const Scheme<Function>& 
   }
   if (point.size() != problem.box.size()) {
     lacks(
-        objective, scheme,
+        to_string(objective), scheme,
         fmt::format("the best parameters of level {} are not unique rational numbers, so that the next level "
                     "has no residuals over Q",
                     level));
@@ -113,7 +71,7 @@ Mask<Function> at_minimiser(const Objective& objective, const Scheme<Function>& 
 
 std::vector<Function> popping_residuals(const Objective& objective, const Scheme<Function>& scheme,
                                         Problem problem) {
-  if (!scheme.is_stationary()) lacks(objective, scheme, "the objective needs a stationary scheme");
+  if (!scheme.is_stationary()) lacks(to_string(objective), scheme, "the objective needs a stationary scheme");
   Laurent<Function> before(1);
   for (int level = 1;; ++level) {
     problem.residuals = coefficients(popping_difference(scheme.last(), before));
@@ -130,15 +88,15 @@ std::vector<Function> residuals_of(const Scheme<Function>& scheme, const Objecti
     case Objective::Kind::fit_bspline:
       return fit_residuals(objective, scheme);
     case Objective::Kind::vertex:
-      require_primal(objective, scheme);
+      require_primal(to_string(objective), scheme);
       return coefficients(vertex_limit_mask(scheme) - Laurent<Function>(1));
     case Objective::Kind::edge:
-      require_primal(objective, scheme);
+      require_primal(to_string(objective), scheme);
       return coefficients(edge_limit_mask(scheme) - Laurent<Function>(0, {half, half}));
     case Objective::Kind::area:
       return coefficients(area_mask(scheme) - polygon_area_mask<Function>());
     case Objective::Kind::popping:
-      require_primal(objective, scheme);
+      require_primal(to_string(objective), scheme);
       return popping_residuals(objective, scheme, problem);
   }
   throw std::logic_error("no such objective");
@@ -156,17 +114,17 @@ bool is_continuum(const Objective& objective) {
 
 Problem make_problem(const Scheme<Function>& scheme, const Objective& objective, Norm norm,
                      std::vector<Range> box, std::vector<std::string> names) {
-  require_steps(objective, scheme);
+  require_steps(to_string(objective), scheme);
   const bool squared = is_continuum(objective);
   if (squared && norm != Norm::l2) {
-    lacks(objective, scheme,
+    lacks(to_string(objective), scheme,
           fmt::format("the continuum fit in {} is known for jspline:s=NAME alone", to_string(norm)));
   }
   Problem problem{{}, norm, std::move(box), std::move(names)};
   try {
     problem.residuals = residuals_of(scheme, objective, problem);
   } catch (const std::domain_error& error) {
-    lacks(objective, scheme, error.what());
+    lacks(to_string(objective), scheme, error.what());
   }
   if (squared) problem.norm = Norm::l1;  // one residual that is not negative
   return problem;

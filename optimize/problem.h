@@ -46,6 +46,7 @@ enum class Termination {
   not_isolated,      // the local critical point could not be verified
   pole_in_box,       // a residual's denominator may vanish on the box
   no_local_minimum,  // no start of the local solver converged
+  local,             // the best of several local searches; nothing is proved
 };
 
 struct Summary {
@@ -54,6 +55,8 @@ struct Summary {
   Enclosure minimum;                 // l1: sum of |r_i|; linf: max |r_i|; l2: sum of r_i^2
   /// Indices of the residuals that determine the minimiser (linf: attain the maximum; l1: vanish there).
   std::vector<int> active;
+  /// Of some problems of one parameter whose minimum is 0: every value in the range where it is attained.
+  std::vector<Enclosure> zeros;
   int boxes = 0;        // examined by branch and bound
   std::string method;   // "exact LP with dual certificate", "Sturm", "Krawczyk and branch and bound"
   std::string message;  // one sentence for a user
