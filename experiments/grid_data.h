@@ -9,9 +9,8 @@ namespace subdiv {
 
 using SpacePoint = Eigen::Matrix<Rational, 3, 1>;
 
-/// A grid committed in experiments/data, closed in both directions: columns row, column, x, y, z, row after
-/// row, both counted from 0, exact coordinates. Throws InputError that names the file, and the line where it
-/// differs from that.
+/// A grid committed in experiments/data, closed in both directions, exact coordinates. Throws as read_points
+/// and grid_points do.
 [[nodiscard]] ControlGrid<SpacePoint> grid_from_data(const std::string& file_name);
 
 /// The same grid in another arithmetic: every point is sent through the map.

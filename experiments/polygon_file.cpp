@@ -99,6 +99,7 @@ PointList<T> read_csv(const fs::path& path) {
              "a point of " + std::to_string(fields.size()) + " coordinates where the lines above have " +
                  std::to_string(list.dimension()) + "; every line holds a point as x,y or x,y,z");
     }
+    if (header) list.header.assign(fields.begin(), fields.end());
     if (header) return;
     for (std::size_t c = 0; c < fields.size(); ++c) {
       try {
@@ -137,7 +138,7 @@ std::vector<std::size_t> line_order(const fs::path& path, std::size_t line,
 template <class T>
 PointList<T> read_obj(const fs::path& path) {
   constexpr std::size_t dimension = 3;
-  PointList<T> list{std::vector<std::vector<T>>(dimension), std::nullopt};
+  PointList<T> list{std::vector<std::vector<T>>(dimension), {}, std::nullopt};
   std::vector<std::size_t> order;
   std::vector<std::string_view> words;
   for_each_line(path, [&](std::size_t line, std::string_view text) {

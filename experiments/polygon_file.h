@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace subdiv {
@@ -11,6 +12,7 @@ namespace subdiv {
 template <class T>
 struct PointList {
   std::vector<std::vector<T>> coordinates;
+  std::vector<std::string> header;  // the names of the columns of a CSV file that has them
   /// What a line element of an OBJ file says: closed when it returns to its first point.
   std::optional<bool> closed;
 

@@ -12,6 +12,7 @@
 #include "experiments/cli/control_points.h"
 #include "experiments/cli/verbs.h"
 #include "experiments/details_file.h"
+#include "experiments/grid_file.h"
 #include "experiments/report/curve_writer.h"
 #include "experiments/report/surface_writer.h"
 #include "schemes/evaluate/level_by_level.h"
@@ -125,9 +126,9 @@ void refine_curve(const RefineOptions& options, Curve controls, const Scheme<R>&
   }
 }
 
-void refine_curve(const RefineOptions& options, const SchemeDescription& description) {
+void refine_curve(const RefineOptions& options, const SchemeDescription& description,
+                  const PointList<double>& points) {
   (void)curve_format(options.out);  // before anything is computed
-  const PointList<double> points = read_points<double>(options.input);
   Curve controls = control_curve(points, options.open, description);
   const int arity = description.steps.front().arity();
   require_count({controls.topology}, arity, options.levels);
@@ -174,23 +175,38 @@ GridSize parse_grid(const std::string& text) {
   return size;
 }
 
-ControlGrid<Point3> control_surface(const RefineOptions& options, const SchemeDescription& description,
-                                    const PointList<double>& points) {
+/// The points of the input as a grid: by its own columns row and column, or by --grid.
+GridPoints<double> read_grid(const RefineOptions& options, PointList<double> points) {
+  if (holds_grid(points)) {
+    GridPoints<double> grid = grid_points(std::move(points), options.input);
+    const GridSize said = options.grid.empty() ? GridSize{grid.rows, grid.columns} : parse_grid(options.grid);
+    if (said.rows != grid.rows || said.columns != grid.columns) {
+      throw InputError(fmt::format("--grid {}: {} says itself that it holds {}x{}", options.grid,
+                                   options.input, grid.rows, grid.columns));
+    }
+    return grid;
+  }
   const GridSize size = parse_grid(options.grid);
-  if (points.dimension() > 3)
-    throw InputError(options.input + ": grids have up to three coordinates, not " +
-                     std::to_string(points.dimension()));
   if (size.rows > points.size() || size.rows * size.columns != points.size()) {
     throw InputError(fmt::format("--grid {}: {} holds {} points, a row after the other", options.grid,
                                  options.input, points.size()));
   }
+  return {size.rows, size.columns, std::move(points)};
+}
+
+ControlGrid<Point3> control_surface(const RefineOptions& options, const SchemeDescription& description,
+                                    const GridPoints<double>& given) {
+  const PointList<double>& points = given.points;
+  if (points.dimension() > 3)
+    throw InputError(options.input + ": grids have up to three coordinates, not " +
+                     std::to_string(points.dimension()));
   std::vector<Point3> corners(points.size(), Point3::Zero());
   for (std::size_t i = 0; i < points.size(); ++i) {
     for (std::size_t c = 0; c < points.dimension(); ++c)
       corners[i](static_cast<Eigen::Index>(c)) = points.coordinates[c][i];
   }
   ControlGrid<Point3> grid =
-      control_grid(Topology{size.rows, true, 0, 0}, Topology{size.columns, true, 0, 0}, std::move(corners));
+      control_grid(Topology{given.rows, true, 0, 0}, Topology{given.columns, true, 0, 0}, std::move(corners));
   if (!options.open.empty())
     grid = open_along(grid, end_weights_in_double(description, open_end(options.open)));
   if (!options.open_across.empty())
@@ -198,19 +214,20 @@ ControlGrid<Point3> control_surface(const RefineOptions& options, const SchemeDe
   return grid;
 }
 
-void refine_grid(const RefineOptions& options, const SchemeDescription& description) {
+void refine_grid(const RefineOptions& options, const SchemeDescription& description,
+                 PointList<double> points) {
   for (const auto& [given, name] : {std::pair{!options.details.empty(), "--details"},
                                     {!options.retrofit.empty(), "--retrofit"},
                                     {options.limit, "--limit"}}) {
-    if (given) throw InputError(std::string(name) + " is for curves; leave it out with --grid");
+    if (given) throw InputError(std::string(name) + " is for curves; leave it out for grids");
   }
   const SurfaceFormat format = surface_format(options.out);
-  const PointList<double> points = read_points<double>(options.input);
-  const ControlGrid<Point3> grid = control_surface(options, description, points);
+  const GridPoints<double> given = read_grid(options, std::move(points));
+  const ControlGrid<Point3> grid = control_surface(options, description, given);
   const Refinement<double> refinement{scheme_in_double(description), options.levels};
   require_count({grid.rows, grid.columns()}, refinement.scheme.arity(), options.levels);
   OutputFile file(options.out);
-  write_surface(file, format, grid, refinement, points.dimension());
+  write_surface(file, format, grid, refinement, given.points.dimension());
   file.finish();
 }
 
@@ -218,13 +235,13 @@ void refine_grid(const RefineOptions& options, const SchemeDescription& descript
 
 int refine(const RefineOptions& options) {
   const SchemeDescription description = evaluated_scheme(options.scheme);
-  if (options.grid.empty()) {
-    if (!options.open_across.empty())
-      throw InputError(
-          "--open-across is for grids; a curve takes --open, a grid --grid ROWSxCOLUMNS as well");
-    refine_curve(options, description);
+  PointList<double> points = read_points<double>(options.input);
+  if (!options.grid.empty() || holds_grid(points)) {
+    refine_grid(options, description, std::move(points));
+  } else if (!options.open_across.empty()) {
+    throw InputError("--open-across is for grids; a curve takes --open, a grid --grid ROWSxCOLUMNS as well");
   } else {
-    refine_grid(options, description);
+    refine_curve(options, description, points);
   }
   return ExitCode::done;
 }

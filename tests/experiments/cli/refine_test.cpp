@@ -206,6 +206,26 @@ TEST_F(Refine, GridsAreWatertight) {
   count({"--open", "clamped", "--open-across", "clamped"}, 81, 64, 4 * 8);
 }
 
+TEST_F(Refine, FilesMaySayThemselvesThatTheyHoldAGrid) {
+  file("grid.csv", grid_text(3, 4));
+  std::string named = "row,column,x,y,z\n";
+  std::istringstream lines(grid_text(3, 4));
+  int i = 0;
+  for (std::string line; std::getline(lines, line); ++i)
+    named += std::to_string(i / 4) + "," + std::to_string(i % 4) + "," + line + "\n";
+  file("named.csv", named);
+  done({"jspline:s=1", "grid.csv", "--grid", "3x4", "-k", "2", "-o", "one.obj"});
+  done({"jspline:s=1", "named.csv", "-k", "2", "-o", "two.obj"});
+  EXPECT_EQ(text("one.obj"), text("two.obj"));
+  rejects({"jspline:s=1", "named.csv", "--grid", "4x3", "-k", "2", "-o", "x.obj"}, {"--grid 4x3", "3x4"});
+  file("named.csv", named + "3,0,1,1,1\n");
+  rejects({"jspline:s=1", "named.csv", "-k", "2", "-o", "x.obj"}, {"last row"});
+  file("named.csv", named + "3,1,1,1,1\n");
+  rejects({"jspline:s=1", "named.csv", "-k", "2", "-o", "x.obj"}, {"point 13", "next one"});
+  file("named.csv", "row,column,x,y,z\n1,0,1,1,1\n");
+  rejects({"jspline:s=1", "named.csv", "-k", "2", "-o", "x.obj"}, {"point 1 ", "next one"});
+}
+
 TEST_F(Refine, BadGridsAreRefused) {
   file("grid.csv", grid_text(3, 4));
   const auto with = [](const Strings& more) {
