@@ -64,6 +64,21 @@ TEST(Readme, TheCertificateIsWhatTheProgramSays) {
   EXPECT_EQ(shown, 3);
 }
 
+TEST(Readme, CurvesAndSurfacesAreEvaluated) {
+  const TemporaryFolder folder;
+  std::size_t outputs = 0;
+  for (std::vector<std::string> command : commands_about("experiments/data/")) {
+    for (std::string& word : command) {
+      if (word.starts_with("experiments/")) word.insert(0, root.string() + "/");
+    }
+    const ProgramRun run = run_program(command, folder.path());
+    EXPECT_EQ(run.exit_code, 0) << command[0] << ": " << run.errors;
+    outputs += command[0] == "refine" ? 1 : 0;
+  }
+  EXPECT_GE(outputs, 3U);
+  EXPECT_EQ(folder.files().size(), outputs);
+}
+
 TEST(Readme, TheExcerptIsWhatTheResultsSay) {
   const auto claims = claims_from_json(text_of(root / "results" / "claims.json"), "results/claims.json");
   std::istringstream excerpt(fenced_block(""));
