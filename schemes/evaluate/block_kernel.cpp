@@ -19,67 +19,134 @@ namespace hn = hwy::HWY_NAMESPACE;
 template <class T>
 using Tag = hn::CappedTag<T, line_values<T>>;
 
-/// Where results go.
+/// A copy in steps of one vector, each written where a vector of memory begins.
 template <class T>
-struct Cached {
-  template <class Lanes>
-  HWY_INLINE void operator()(Lanes values, T* out) const {
-    hn::StoreU(values, Tag<T>(), out);
+class Copier {
+ public:
+  HWY_INLINE explicit Copier(const Copy<T>& copy)
+      : from_(copy.from), to_(copy.to), end_(copy.to + copy.count) {
+    while (to_ != end_ && reinterpret_cast<std::uintptr_t>(to_) % (lanes * sizeof(T)) != 0) *to_++ = *from_++;
+    last_ = end_ - static_cast<std::size_t>(end_ - to_) % lanes;
   }
-};
-template <class T>
-struct PastCaches {
-  template <class Lanes>
-  HWY_INLINE void operator()(Lanes values, T* out) const {
-    hn::Stream(values, Tag<T>(), out);
+  HWY_INLINE void step() {
+    if (to_ == last_) return;
+    hn::Stream(hn::LoadU(Tag<T>(), from_), Tag<T>(), to_);
+    from_ += lanes;
+    to_ += lanes;
   }
+  HWY_INLINE void finish() {
+    while (to_ != last_) step();
+    while (to_ != end_) *to_++ = *from_++;
+  }
+
+ private:
+  const T* HWY_RESTRICT from_;
+  T* HWY_RESTRICT to_;
+  T* end_;
+  T* last_;
+  const std::size_t lanes = hn::Lanes(Tag<T>());
 };
 
-/// One block: the points of its window are kept in registers. Mul and Add, not MulAdd: see the header.
-template <class Store, class T, class First, class... Rest>
-HWY_INLINE void block(Store store, const T* HWY_RESTRICT weights, std::size_t stride, T* HWY_RESTRICT out,
-                      First first, Rest... rest) {
+template <class T>
+class NoCopier {
+ public:
+  HWY_INLINE explicit NoCopier(const Copy<T>& /*copy*/) {}
+  HWY_INLINE void step() const {}
+  HWY_INLINE void finish() const {}
+};
+
+// Sums of terms in two chains, of even and of odd o, that are added at the end: the chains run side by side.
+// Mul and Add, not MulAdd: see the header.
+
+template <class T, class Lanes>
+HWY_INLINE Lanes term(const T* HWY_RESTRICT weights, Lanes point) {
+  return hn::Mul(hn::Load(Tag<T>(), weights), point);
+}
+
+template <class T, class Lanes>
+HWY_INLINE Lanes two_chains(const T* HWY_RESTRICT /*weights*/, Lanes one, Lanes other) {
+  return hn::Add(one, other);
+}
+/// The next term belongs to `one`, the one after it to `other`.
+template <class T, class Lanes, class... Rest>
+HWY_INLINE Lanes two_chains(const T* HWY_RESTRICT weights, Lanes one, Lanes other, Lanes point,
+                            Rest... rest) {
+  return two_chains(weights + line_values<T>, other, hn::Add(one, term(weights, point)), rest...);
+}
+
+template <class T, class Lanes>
+HWY_INLINE Lanes weighted_sum(const T* HWY_RESTRICT weights, Lanes point) {
+  return term(weights, point);
+}
+template <class T, class Lanes, class... Rest>
+HWY_INLINE Lanes weighted_sum(const T* HWY_RESTRICT weights, Lanes point0, Lanes point1, Rest... rest) {
+  constexpr std::size_t line = line_values<T>;
+  return two_chains(weights + 2 * line, term(weights, point0), term(weights + line, point1), rest...);
+}
+
+/// One block: the points of its window are kept in registers.
+template <class Copier, class T, class... Lanes>
+HWY_INLINE void block(Copier& copier, const T* HWY_RESTRICT weights, std::size_t lines, T* HWY_RESTRICT out,
+                      Lanes... points) {
   const Tag<T> tag;
-  for (std::size_t i = 0; i < stride; i += hn::Lanes(tag)) {
-    const T* HWY_RESTRICT row = weights + i;
-    auto sum = hn::Mul(hn::Load(tag, row), first);
-    ((row += stride, sum = hn::Add(sum, hn::Mul(hn::Load(tag, row), rest))), ...);
-    store(sum, out + i);
+  for (std::size_t line = 0; line < lines; ++line) {
+    for (std::size_t lane = 0; lane < line_values<T>; lane += hn::Lanes(tag)) {
+      hn::StoreU(weighted_sum(weights + lane, points...), tag, out + lane);
+      copier.step();
+    }
+    weights += sizeof...(points) * line_values<T>;
+    out += line_values<T>;
   }
 }
 
-template <class Store, class T, std::size_t... o>
-void blocks_of_window(Store store, const T* HWY_RESTRICT weights, std::size_t stride, std::size_t outputs,
-                      const T* HWY_RESTRICT points, std::size_t blocks, T* HWY_RESTRICT out,
-                      std::index_sequence<o...> /*window*/) {
+template <class Copier, class T, std::size_t... o>
+void blocks_of_window(const Copy<T>& copy, const BlockTable<T>& table, const T* HWY_RESTRICT points,
+                      std::size_t blocks, T* HWY_RESTRICT out, std::index_sequence<o...> /*window*/) {
   const Tag<T> tag;
+  const T* const weights = table.weights.data();
+  const std::size_t lines = table.lines();
+  const std::size_t outputs = table.outputs;
+  Copier copier(copy);
   for (std::size_t b = 0; b < blocks; ++b)
-    block(store, weights, stride, out + b * outputs, hn::Set(tag, points[b + o])...);
+    block(copier, weights, lines, out + b * outputs, hn::Set(tag, points[b + o])...);
+  copier.finish();
 }
 
-template <class Store, class T>
-void blocks_of_any_window(Store store, const T* HWY_RESTRICT weights, std::size_t stride, std::size_t outputs,
-                          std::size_t window, const T* HWY_RESTRICT points, std::size_t blocks,
-                          T* HWY_RESTRICT out) {
+template <class Copier, class T>
+void blocks_of_any_window(const Copy<T>& copy, const BlockTable<T>& table, const T* HWY_RESTRICT points,
+                          std::size_t blocks, T* HWY_RESTRICT out) {
   const Tag<T> tag;
+  const auto window = static_cast<std::size_t>(table.window.size());
+  const std::size_t lines = table.lines();
+  Copier copier(copy);
   for (std::size_t b = 0; b < blocks; ++b) {
-    for (std::size_t i = 0; i < stride; i += hn::Lanes(tag)) {
-      auto sum = hn::Mul(hn::Load(tag, weights + i), hn::Set(tag, points[b]));
-      for (std::size_t o = 1; o < window; ++o) {
-        sum = hn::Add(sum, hn::Mul(hn::Load(tag, weights + stride * o + i), hn::Set(tag, points[b + o])));
+    const T* HWY_RESTRICT weights = table.weights.data();
+    T* HWY_RESTRICT line_out = out + b * table.outputs;
+    for (std::size_t line = 0; line < lines; ++line) {
+      for (std::size_t lane = 0; lane < line_values<T>; lane += hn::Lanes(tag)) {
+        const T* HWY_RESTRICT weight = weights + lane;
+        auto one = term(weight, hn::Set(tag, points[b]));
+        auto other = term(weight += line_values<T>, hn::Set(tag, points[b + 1]));
+        for (std::size_t o = 2; o < window; ++o) {
+          const auto next = hn::Add(one, term(weight += line_values<T>, hn::Set(tag, points[b + o])));
+          one = other;
+          other = next;
+        }
+        hn::StoreU(hn::Add(one, other), tag, line_out + lane);
+        copier.step();
       }
-      store(sum, out + b * outputs + i);
+      weights += window * line_values<T>;
+      line_out += line_values<T>;
     }
   }
+  copier.finish();
 }
 
-template <class Store, class T>
-HWY_INLINE void apply(Store store, const T* weights, std::size_t stride, std::size_t outputs,
-                      std::size_t window, const T* points, std::size_t blocks, T* out) {
-  const auto of_size = [&](auto size) {
-    blocks_of_window(store, weights, stride, outputs, points, blocks, out, size);
-  };
-  switch (window) {
+template <class Copier, class T>
+HWY_INLINE void apply(const Copy<T>& copy, const BlockTable<T>& table, const T* points, std::size_t blocks,
+                      T* out) {
+  const auto of_size = [&](auto size) { blocks_of_window<Copier>(copy, table, points, blocks, out, size); };
+  switch (table.window.size()) {
     case 1:
       return of_size(std::make_index_sequence<1>());
     case 2:
@@ -97,21 +164,18 @@ HWY_INLINE void apply(Store store, const T* weights, std::size_t stride, std::si
     case 8:
       return of_size(std::make_index_sequence<8>());
     default:
-      return blocks_of_any_window(store, weights, stride, outputs, window, points, blocks, out);
+      return blocks_of_any_window<Copier>(copy, table, points, blocks, out);
   }
 }
 
 template <class T>
-HWY_INLINE void copy(const T* HWY_RESTRICT from, std::size_t count, T* HWY_RESTRICT to) {
-  const Tag<T> tag;
-  const std::size_t lanes = hn::Lanes(tag);
-  std::size_t i = 0;
-  while (i < count && reinterpret_cast<std::uintptr_t>(to + i) % (lanes * sizeof(T)) != 0) {
-    to[i] = from[i];
-    ++i;
+HWY_INLINE void apply_and_copy(const BlockTable<T>& table, const T* points, std::size_t blocks, T* out,
+                               const Copy<T>& copy) {
+  if (copy.count == 0) {
+    apply<NoCopier<T>>(copy, table, points, blocks, out);
+  } else {
+    apply<Copier<T>>(copy, table, points, blocks, out);
   }
-  for (; i + lanes <= count; i += lanes) hn::Stream(hn::LoadU(tag, from + i), tag, to + i);
-  for (; i < count; ++i) to[i] = from[i];
 }
 
 template <class T>
@@ -139,25 +203,17 @@ HWY_INLINE void add(const T* HWY_RESTRICT values, std::size_t count, T* HWY_REST
 }
 
 // What the dispatch chooses among has no overloads.
-void apply_double(const double* weights, std::size_t stride, std::size_t outputs, std::size_t window,
-                  const double* points, std::size_t blocks, double* out) {
-  apply(Cached<double>(), weights, stride, outputs, window, points, blocks, out);
+void apply_double(const BlockTable<double>& table, const double* points, std::size_t blocks, double* out,
+                  const Copy<double>& copy) {
+  apply_and_copy(table, points, blocks, out, copy);
 }
-void apply_past_caches_double(const double* weights, std::size_t stride, std::size_t window,
-                              const double* points, std::size_t blocks, double* out) {
-  apply(PastCaches<double>(), weights, stride, stride, window, points, blocks, out);
-}
-void apply_float(const float* weights, std::size_t stride, std::size_t outputs, std::size_t window,
-                 const float* points, std::size_t blocks, float* out) {
-  apply(Cached<float>(), weights, stride, outputs, window, points, blocks, out);
-}
-void apply_past_caches_float(const float* weights, std::size_t stride, std::size_t window,
-                             const float* points, std::size_t blocks, float* out) {
-  apply(PastCaches<float>(), weights, stride, stride, window, points, blocks, out);
-}
-void copy_double(const double* from, std::size_t count, double* to) { copy(from, count, to); }
-void copy_float(const float* from, std::size_t count, float* to) { copy(from, count, to); }
+void copy_double(const Copy<double>& copy) { Copier<double>(copy).finish(); }
 void add_double(const double* values, std::size_t count, double* lanes) { add(values, count, lanes); }
+void apply_float(const BlockTable<float>& table, const float* points, std::size_t blocks, float* out,
+                 const Copy<float>& copy) {
+  apply_and_copy(table, points, blocks, out, copy);
+}
+void copy_float(const Copy<float>& copy) { Copier<float>(copy).finish(); }
 void add_float(const float* values, std::size_t count, float* lanes) { add(values, count, lanes); }
 
 }  // namespace HWY_NAMESPACE
@@ -167,42 +223,31 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace subdiv::detail {
 HWY_EXPORT(apply_double);
-HWY_EXPORT(apply_float);
-HWY_EXPORT(apply_past_caches_double);
 HWY_EXPORT(copy_double);
-HWY_EXPORT(apply_past_caches_float);
-HWY_EXPORT(copy_float);
 HWY_EXPORT(add_double);
+HWY_EXPORT(apply_float);
+HWY_EXPORT(copy_float);
 HWY_EXPORT(add_float);
 
-void apply_table(const double* weights, std::size_t stride, std::size_t outputs, std::size_t window,
-                 const double* points, std::size_t blocks, double* out) {
-  HWY_DYNAMIC_DISPATCH(apply_double)(weights, stride, outputs, window, points, blocks, out);
+void apply_table(const BlockTable<double>& table, const double* points, std::size_t blocks, double* out,
+                 const Copy<double>& copy) {
+  HWY_DYNAMIC_DISPATCH(apply_double)(table, points, blocks, out, copy);
 }
-void apply_table(const float* weights, std::size_t stride, std::size_t outputs, std::size_t window,
-                 const float* points, std::size_t blocks, float* out) {
-  HWY_DYNAMIC_DISPATCH(apply_float)(weights, stride, outputs, window, points, blocks, out);
-}
-void apply_table_past_caches(const double* weights, std::size_t stride, std::size_t window,
-                             const double* points, std::size_t blocks, double* out) {
-  HWY_DYNAMIC_DISPATCH(apply_past_caches_double)(weights, stride, window, points, blocks, out);
-}
-void copy_past_caches(const double* from, std::size_t count, double* to) {
-  HWY_DYNAMIC_DISPATCH(copy_double)(from, count, to);
-}
-void apply_table_past_caches(const float* weights, std::size_t stride, std::size_t window,
-                             const float* points, std::size_t blocks, float* out) {
-  HWY_DYNAMIC_DISPATCH(apply_past_caches_float)(weights, stride, window, points, blocks, out);
-}
-void copy_past_caches(const float* from, std::size_t count, float* to) {
-  HWY_DYNAMIC_DISPATCH(copy_float)(from, count, to);
-}
-void finish_stores() { hwy::FlushStream(); }
+void copy_past_caches(const Copy<double>& copy) { HWY_DYNAMIC_DISPATCH(copy_double)(copy); }
 void add_to_lanes(const double* values, std::size_t count, double* lanes) {
   HWY_DYNAMIC_DISPATCH(add_double)(values, count, lanes);
 }
+
+void apply_table(const BlockTable<float>& table, const float* points, std::size_t blocks, float* out,
+                 const Copy<float>& copy) {
+  HWY_DYNAMIC_DISPATCH(apply_float)(table, points, blocks, out, copy);
+}
+void copy_past_caches(const Copy<float>& copy) { HWY_DYNAMIC_DISPATCH(copy_float)(copy); }
 void add_to_lanes(const float* values, std::size_t count, float* lanes) {
   HWY_DYNAMIC_DISPATCH(add_float)(values, count, lanes);
 }
+
+void finish_copies() { hwy::FlushStream(); }
+
 }  // namespace subdiv::detail
 #endif

@@ -10,25 +10,30 @@
 
 namespace subdiv::detail {
 
-/// One coordinate of `blocks` consecutive blocks: out[outputs b + i] = sum over o of weights[stride o + i]
-/// points[b + o], 0 <= o < window, terms added in the order of o. The last block writes up to the end of its
-/// stride.
-void apply_table(const double* weights, std::size_t stride, std::size_t outputs, std::size_t window,
-                 const double* points, std::size_t blocks, double* out);
-void apply_table(const float* weights, std::size_t stride, std::size_t outputs, std::size_t window,
-                 const float* points, std::size_t blocks, float* out);
+/// Values to be copied while others are computed.
+template <class T>
+struct Copy {
+  const T* from = nullptr;
+  T* to = nullptr;
+  std::size_t count = 0;
+};
 
-/// The same past the caches (non-temporal stores where the platform has them), for outputs = stride and `out`
-/// at the begin of a cache line. After the last block, and before others read, finish_stores().
-void apply_table_past_caches(const double* weights, std::size_t stride, std::size_t window,
-                             const double* points, std::size_t blocks, double* out);
-void apply_table_past_caches(const float* weights, std::size_t stride, std::size_t window,
-                             const float* points, std::size_t blocks, float* out);
-void finish_stores();
+/// One coordinate of `blocks` consecutive blocks: out[B b + i] = sum over o of T_{o i} points[b + o], o
+/// counted from the window's first, 0 <= i < B = table.outputs. Terms of even o are added in their order,
+/// those of odd o too, then both sums. Writes whole cache lines: up to table.padding() values behind the last
+/// block.
+///
+/// The copy goes past the caches (non-temporal stores where the platform has them), bit by bit, so that the
+/// memory works while the processor computes; before others read it, finish_copies().
+void apply_table(const BlockTable<double>& table, const double* points, std::size_t blocks, double* out,
+                 const Copy<double>& copy = {});
+void apply_table(const BlockTable<float>& table, const float* points, std::size_t blocks, float* out,
+                 const Copy<float>& copy = {});
 
-/// Copies past the caches where `to` allows; finish_stores() as above.
-void copy_past_caches(const double* from, std::size_t count, double* to);
-void copy_past_caches(const float* from, std::size_t count, float* to);
+/// The copy alone.
+void copy_past_caches(const Copy<double>& copy);
+void copy_past_caches(const Copy<float>& copy);
+void finish_copies();
 
 /// Partial sums that do not depend on the width of vectors: value i is added to lane i modulo their number.
 template <class T>

@@ -12,7 +12,7 @@
 
 namespace subdiv {
 
-/// Values of type T in a cache line; rows of tables are padded to a multiple of it.
+/// Values of type T in a cache line.
 template <class T>
 inline constexpr std::size_t line_values = cache_line / sizeof(T);
 
@@ -23,12 +23,21 @@ inline constexpr std::size_t line_values = cache_line / sizeof(T);
 /// T_{o i} = S_{i - B o}, S the symbol of those steps. Six points a block for J_s, whatever d >= 2.
 template <class T>
 struct BlockTable {
-  std::size_t outputs = 1;   // B
-  IndexWindow window;        // o
-  IndexWindow support;       // powers of S: P'_n depends on P_j only if n - B j lies here
-  std::size_t stride = 1;    // B, padded to whole cache lines by zeros
-  AlignedVector<T> weights;  // T_{o i} at (o - window.first) stride + i
+  std::size_t outputs = 1;  // B
+  IndexWindow window;       // o
+  IndexWindow support;      // powers of S: P'_n depends on P_j only if n - B j lies here
+  /// T_{o i} cache line by cache line of outputs, the last one padded by zeros; within a line by o, then by
+  /// i.
+  AlignedVector<T> weights;
 
+  [[nodiscard]] std::size_t lines() const { return (outputs + line_values<T> - 1) / line_values<T>; }
+  [[nodiscard]] std::size_t padding() const { return lines() * line_values<T> - outputs; }
+  /// Where T_{o i} stands.
+  [[nodiscard]] std::size_t place(int o, std::size_t i) const {
+    const auto row = i / line_values<T> * static_cast<std::size_t>(window.size()) +
+                     static_cast<std::size_t>(o - window.first);
+    return row * line_values<T> + i % line_values<T>;
+  }
   [[nodiscard]] std::size_t bytes() const { return weights.size() * sizeof(T); }
 };
 
@@ -57,12 +66,10 @@ BlockTable<T> block_table(const Scheme<R>& scheme, int step, int count) {
   } else {
     table.window = {-floor_divide(symbol.last(), B), floor_divide(B - 1 - symbol.first(), B)};
   }
-  table.stride = (table.outputs + line_values<T> - 1) / line_values<T> * line_values<T>;
-  table.weights.assign(static_cast<std::size_t>(table.window.size()) * table.stride, T(0));
+  table.weights.assign(table.lines() * static_cast<std::size_t>(table.window.size()) * line_values<T>, T(0));
   for (int n = symbol.first(); n <= symbol.last(); ++n) {
     const int i = residue(n, B);
-    const auto row = static_cast<std::size_t>((i - n) / B - table.window.first);
-    table.weights[row * table.stride + static_cast<std::size_t>(i)] =
+    table.weights[table.place((i - n) / B, static_cast<std::size_t>(i))] =
         static_cast<T>(detail::rounded(symbol[n]));
   }
   return table;

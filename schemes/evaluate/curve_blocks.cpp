@@ -1,6 +1,7 @@
 #include "schemes/evaluate/curve_blocks.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <stdexcept>
 #include <string>
@@ -33,14 +34,10 @@ std::size_t points_at_once_of(const BlockStages<T>& stages) {
   return blocks_at_once(stages.tables.back()) * stages.tables.back().outputs;
 }
 
+/// How far p is behind the begin of a cache line.
 template <class T>
-bool begins_at_cache_line(const T* p) {
-  return reinterpret_cast<std::uintptr_t>(p) % cache_line == 0;
-}
-
-template <class T>
-std::size_t padding(const BlockTable<T>& table) {
-  return table.stride - table.outputs;
+std::size_t values_into_line(const T* p) {
+  return reinterpret_cast<std::uintptr_t>(p) % cache_line / sizeof(T);
 }
 
 /// The most points that are needed at once of each level: level k is what table k is applied to.
@@ -60,12 +57,12 @@ std::size_t level_capacity(const BlockStages<T>& stages, const std::vector<std::
                            std::size_t level) {
   if (level == 0) return spans[0];
   const BlockTable<T>& maker = stages.tables[level - 1];
-  return spans[level] + 2 * maker.outputs + padding(maker);
+  return spans[level] + 2 * maker.outputs + maker.padding();
 }
 
 template <class T>
 std::size_t block_capacity(const BlockStages<T>& stages) {
-  const std::size_t points = points_at_once_of(stages) + padding(stages.tables.back());
+  const std::size_t points = points_at_once_of(stages) + stages.tables.back().padding();
   return (points + line_values<T> - 1) / line_values<T> * line_values<T>;
 }
 
@@ -103,56 +100,79 @@ BlockStream<T>::BlockStream(const CurveBlocks<T>& curve, std::size_t first, std:
 
 template <class T>
 CurveBlock<T> BlockStream<T>::next() {
+  return next(block_begins_, {});
+}
+
+/// The next block in `out`, which has room for block_capacity; the copies are made meanwhile.
+template <class T>
+CurveBlock<T> BlockStream<T>::next(std::span<T* const> out, std::span<const detail::Copy<T>> copies) {
   const std::size_t first = next_;
   if (first >= last_) return {first, 0, block_points_};
   const BlockTable<T>& table = curve_->stages_.tables.back();
   const std::size_t parent = first / table.outputs;
   const std::size_t parents = std::min(blocks_at_once(table), (last_ - 1) / table.outputs + 1 - parent);
-  apply(levels_.size() - 1, static_cast<long long>(parent), parents, block_begins_, Stores::cached);
-  for (std::size_t c = 0; c < block_points_.size(); ++c)
-    block_points_[c] = block_begins_[c] + (first - parent * table.outputs);
+  apply(levels_.size() - 1, static_cast<long long>(parent), parents, out, copies);
+  for (std::size_t c = 0; c < out.size(); ++c) block_points_[c] = out[c] + (first - parent * table.outputs);
   next_ = std::min(last_, (parent + parents) * table.outputs);
   return {first, next_ - first, block_points_};
 }
 
 template <class T>
-std::size_t BlockStream<T>::write_next(std::span<T* const> out, Stores stores) {
-  const BlockTable<T>& table = curve_->stages_.tables.back();
-  const std::size_t whole_blocks = (last_ - next_) / table.outputs;
-  if (stores == Stores::past_caches && whole_blocks > 0 && next_ % table.outputs == 0 &&
-      padding(table) == 0 && std::all_of(out.begin(), out.end(), begins_at_cache_line<T>)) {
-    const std::size_t parents = std::min(blocks_at_once(table), whole_blocks);
-    apply(levels_.size() - 1, static_cast<long long>(next_ / table.outputs), parents, out, stores);
-    next_ += parents * table.outputs;
-    return parents * table.outputs;
-  }
-  const CurveBlock<T> block = next();
-  for (std::size_t c = 0; c < out.size(); ++c) {
-    if (stores == Stores::past_caches) {
-      detail::copy_past_caches(block.coordinates[c], block.count, out[c]);
-    } else {
-      std::copy_n(block.coordinates[c], block.count, out[c]);
-    }
-  }
-  return block.count;
+void BlockStream<T>::write_cached(std::span<T* const> out) {
+  const std::size_t first = next_;
+  for (CurveBlock<T> block = next(); block.count > 0; block = next())
+    for (std::size_t c = 0; c < out.size(); ++c)
+      std::copy_n(block.coordinates[c], block.count, out[c] + (block.first - first));
 }
 
-/// Blocks parent .. parent + parents - 1 of a table.
+/// Each block is copied while the next one is computed, in whole lines of `out`: what is left of a line waits
+/// before the next block.
+template <class T>
+void BlockStream<T>::write_past_caches(std::span<T* const> out) {
+  constexpr std::size_t line = line_values<T>;
+  const std::size_t dimension = out.size();
+  const std::size_t capacity = line + block_capacity(curve_->stages_);
+  std::array<AlignedVector<T>, 2> blocks;
+  std::array<std::vector<T*>, 2> begins;
+  for (std::size_t k = 0; k < blocks.size(); ++k) {
+    blocks[k].resize(capacity * dimension);
+    for (std::size_t c = 0; c < dimension; ++c) begins[k].push_back(blocks[k].data() + c * capacity + line);
+  }
+  std::vector<T*> to(out.begin(), out.end());  // where the next copy goes
+  std::vector<std::size_t> waiting(dimension, 0);
+  std::vector<detail::Copy<T>> copies(dimension);
+  std::size_t turn = 0;
+  for (CurveBlock<T> block = next(begins[turn], copies); block.count > 0;
+       block = next(begins[turn], copies)) {
+    turn = 1 - turn;
+    for (std::size_t c = 0; c < dimension; ++c) {
+      T* const from = begins[1 - turn][c] + (block.coordinates[c] - begins[1 - turn][c]) - waiting[c];
+      std::copy_n(copies[c].from + copies[c].count, waiting[c], from);
+      const std::size_t count = waiting[c] + block.count;
+      const std::size_t left = std::min(count, values_into_line(to[c] + count));
+      copies[c] = {from, to[c], count - left};
+      to[c] += count - left;
+      waiting[c] = left;
+    }
+  }
+  for (std::size_t c = 0; c < dimension; ++c) {
+    copies[c].count += waiting[c];
+    detail::copy_past_caches(copies[c]);
+  }
+  detail::finish_copies();
+}
+
+/// Blocks parent .. parent + parents - 1 of a table; none or one copy for each coordinate meanwhile.
 template <class T>
 void BlockStream<T>::apply(std::size_t table, long long parent, std::size_t parents, std::span<T* const> out,
-                           Stores stores) {
+                           std::span<const detail::Copy<T>> copies) {
   const BlockTable<T>& rule = curve_->stages_.tables[table];
-  const auto window = static_cast<std::size_t>(rule.window.size());
   const long long begin = parent + rule.window.first;
   require(table, begin, parent + static_cast<long long>(parents) + rule.window.last);
   const Level& level = levels_[table];
   for (std::size_t c = 0; c < out.size(); ++c) {
-    const T* const points = level.points[c] + (begin - level.begin);
-    if (stores == Stores::past_caches) {
-      detail::apply_table_past_caches(rule.weights.data(), rule.stride, window, points, parents, out[c]);
-    } else {
-      detail::apply_table(rule.weights.data(), rule.stride, rule.outputs, window, points, parents, out[c]);
-    }
+    detail::apply_table(rule, level.points[c] + (begin - level.begin), parents, out[c],
+                        copies.empty() ? detail::Copy<T>() : copies[c]);
   }
 }
 
@@ -175,7 +195,7 @@ void BlockStream<T>::require(std::size_t level, long long begin, long long end) 
     points.ends[c] = values + kept;
   }
   const long long blocks = ceiling_quotient(end - points.end, B);
-  apply(level - 1, points.end / B, static_cast<std::size_t>(blocks), points.ends, Stores::cached);
+  apply(level - 1, points.end / B, static_cast<std::size_t>(blocks), points.ends);
   points.begin += dropped;
   points.end += blocks * B;
 }
@@ -277,14 +297,15 @@ void CurveBlocks<T>::write(std::size_t first, std::size_t last, std::span<T* con
   const std::size_t bytes = (last - first) * dimension() * sizeof(T);
   const bool past_caches = options.stores == Stores::past_caches ||
                            (options.stores == Stores::chosen && bytes >= large_output_bytes);
-  const Stores stores = past_caches ? Stores::past_caches : Stores::cached;
   for_each_part(first, last, options.threads, [&](std::size_t begin, std::size_t end) {
     BlockStream<T> points = stream(begin, end);
     std::vector<T*> to(out.begin(), out.end());
     for (T*& p : to) p += begin - first;
-    while (const std::size_t count = points.write_next(to, stores))
-      for (T*& p : to) p += count;
-    if (past_caches) detail::finish_stores();
+    if (past_caches) {
+      points.write_past_caches(to);
+    } else {
+      points.write_cached(to);
+    }
   });
 }
 

@@ -23,12 +23,13 @@ struct CurveBlock {
   std::span<const T* const> coordinates;
 };
 
-/// Which stores write large outputs. Past the caches is faster where the output is larger than they are, and
-/// leaves them to others; `chosen` takes it from 16 MiB on.
-enum class Stores { chosen, cached, past_caches };
-
 template <class T>
 class CurveBlocks;
+
+namespace detail {
+template <class T>
+struct Copy;
+}
 
 /// The points of a part of a curve, block after block, in memory that depends on the scheme alone.
 template <class T>
@@ -36,10 +37,6 @@ class BlockStream {
  public:
   /// The next block, valid until the next call; a block without points at the end.
   [[nodiscard]] CurveBlock<T> next();
-
-  /// Writes the next block to out[c] instead, and returns its number of points. Where stores go past the
-  /// caches, finish_stores() comes before other threads read; fastest when the arrays begin at cache lines.
-  std::size_t write_next(std::span<T* const> out, Stores stores);
 
  private:
   friend class CurveBlocks<T>;
@@ -57,16 +54,23 @@ class BlockStream {
   void require(std::size_t level, long long begin, long long end);
   void require_controls(long long begin, long long end);
   void apply(std::size_t table, long long parent, std::size_t parents, std::span<T* const> out,
-             Stores stores);
+             std::span<const detail::Copy<T>> copies = {});
+  CurveBlock<T> next(std::span<T* const> out, std::span<const detail::Copy<T>> copies);
+  void write_cached(std::span<T* const> out);
+  void write_past_caches(std::span<T* const> out);
 
   const CurveBlocks<T>* curve_;
   std::size_t next_;
   std::size_t last_;
   std::vector<Level> levels_;  // level k holds what table k is applied to
   AlignedVector<T> block_;
-  std::vector<T*> block_begins_;
+  std::vector<T*> block_begins_;  // of each coordinate
   std::vector<const T*> block_points_;
 };
+
+/// Which stores write large outputs. Past the caches is faster where the output is larger than they are, and
+/// leaves them to others; `chosen` takes it from 16 MiB on.
+enum class Stores { chosen, cached, past_caches };
 
 struct WriteOptions {
   int threads = 1;

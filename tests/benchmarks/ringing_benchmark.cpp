@@ -77,9 +77,9 @@ void fill_past_caches() {
   static const AlignedVector<double> source(512, s);
   for (double* const out : buffer()) {
     for (std::size_t i = 0; i < points; i += source.size())
-      detail::copy_past_caches(source.data(), source.size(), out + i);
+      detail::copy_past_caches({source.data(), out + i, source.size()});
   }
-  detail::finish_stores();
+  detail::finish_copies();
   benchmark::ClobberMemory();
 }
 

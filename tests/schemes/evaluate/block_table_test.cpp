@@ -38,9 +38,8 @@ TEST(BlockTable, HoldsWhatStepsMakeOfAnImpulse) {
           for (long long i = 0; i < B; ++i) {
             const double expected = refined.at(B * (around - o) + i).to_double();
             const bool inside = table.window.first <= o && o <= table.window.last;
-            const std::size_t row = inside ? static_cast<std::size_t>(o - table.window.first) : 0;
-            const double weight = table.weights[row * table.stride + static_cast<std::size_t>(i)];
-            EXPECT_EQ(inside ? weight : 0, expected) << scheme.name << " " << count << " " << o << " " << i;
+            const double weight = inside ? table.weights[table.place(o, static_cast<std::size_t>(i))] : 0;
+            EXPECT_EQ(weight, expected) << scheme.name << " " << count << " " << o << " " << i;
           }
         }
       }
@@ -57,13 +56,14 @@ TEST(BlockTable, SixPointsABlockForJ) {
   EXPECT_EQ(block_table<float>(j(q(3, 2)), 0, 6).bytes(), 1536U);
 }
 
-TEST(BlockTable, RowsFillCacheLines) {
+TEST(BlockTable, FillsCacheLines) {
   const auto table = block_table<double>(binary_and_ternary_schemes().back(), 0, 3);
   EXPECT_EQ(table.outputs, 27U);
-  EXPECT_EQ(table.stride, 32U);
-  for (std::size_t row = 0; row < static_cast<std::size_t>(table.window.size()); ++row)
-    for (std::size_t i = table.outputs; i < table.stride; ++i)
-      EXPECT_EQ(table.weights[row * table.stride + i], 0);
+  EXPECT_EQ(table.lines(), 4U);
+  EXPECT_EQ(table.padding(), 5U);
+  EXPECT_EQ(table.weights.size(), 4U * 8U * static_cast<std::size_t>(table.window.size()));
+  for (int o = table.window.first; o <= table.window.last; ++o)
+    for (std::size_t i = 27; i < 32; ++i) EXPECT_EQ(table.weights[table.place(o, i)], 0);
 }
 
 TEST(BlockTable, IsRoundedOnceFromAnyRing) {  // 1/3 is no double: over the doubles errors add up

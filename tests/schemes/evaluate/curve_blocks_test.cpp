@@ -86,7 +86,8 @@ T error_bound(const BlockStages<T>& stages, T largest_point) {
     T norm = 0;
     for (std::size_t i = 0; i < table.outputs; ++i) {
       T sum = 0;
-      for (std::size_t k = i; k < table.weights.size(); k += table.stride) sum += std::abs(table.weights[k]);
+      for (int o = table.window.first; o <= table.window.last; ++o)
+        sum += std::abs(table.weights[table.place(o, i)]);
       norm = std::max(norm, sum);
     }
     bound *= norm;
