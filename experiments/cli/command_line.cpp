@@ -133,15 +133,20 @@ struct CommandLine {
     verb.add_option("--objective", options.objective, "What to minimise: see 'subdivlab list objectives'")
         ->type_name("NAME[:option=value,...]")
         ->required();
-    verb.add_option("--norm", options.norm, "The norm of the residuals: l1, l2 or linf")
+    verb.add_option("--norm", options.norm,
+                    "The norm of the residuals: l1, l2 or linf; on a polygon linf when not given")
         ->type_name("NORM")
-        ->check(CLI::IsMember({"l1", "l2", "linf"}))
-        ->required();
+        ->check(CLI::IsMember({"l1", "l2", "linf"}));
+    verb.add_option("--polygon", options.polygon,
+                    "A closed polygon, .csv (x,y[,z] a line) or .obj, for objectives of its curve")
+        ->type_name("FILE");
     verb.add_flag("--json", options.json, "Machine-readable output; numbers are strings");
     verb.footer(std::string("Examples:  subdivlab optimize jspline:s=r+jspline:s=3/2 --over r=-2..2 "
                             "--objective vertex --norm linf\n"
                             "           subdivlab optimize jspline:s=s --over s=0..1 --objective "
-                            "fit-bspline:degree=2 --norm l1\n\n") +
+                            "fit-bspline:degree=2 --norm l1\n"
+                            "           subdivlab optimize jspline:s=s --over s=0..4 --objective area "
+                            "--polygon polygon.csv\n\n") +
                 exit_codes);
     verb.callback([this] { action = [this] { return optimize(optimize_options); }; });
   }

@@ -7,6 +7,7 @@
 #include "experiments/experiment.h"
 #include "experiments/report/utf8.h"
 #include "optimize/objectives.h"
+#include "optimize/polygon_objectives.h"
 #include "schemes/catalogue.h"
 
 namespace subdiv::cli {
@@ -90,8 +91,15 @@ Json claims_json() {
   return list;
 }
 
+/// Those of a scheme alone, then those of its curve on a polygon.
+std::vector<ObjectiveDescription> all_objectives() {
+  std::vector<ObjectiveDescription> all(objectives().begin(), objectives().end());
+  all.insert(all.end(), polygon_objectives().begin(), polygon_objectives().end());
+  return all;
+}
+
 void print_objectives() {
-  for (const ObjectiveDescription& objective : objectives()) {
+  for (const ObjectiveDescription& objective : all_objectives()) {
     std::cout << objective.name << ": " << objective.description << "\n  norms: " << objective.norms << "\n";
     for (const ObjectiveOption& option : objective.options) {
       std::cout << "  " << padded(option.name, 12) << option.description << "\n";
@@ -102,7 +110,7 @@ void print_objectives() {
 
 Json objectives_json() {
   Json list = Json::array();
-  for (const ObjectiveDescription& objective : objectives()) {
+  for (const ObjectiveDescription& objective : all_objectives()) {
     Json options = Json::array();
     for (const ObjectiveOption& option : objective.options) {
       options.push_back({{"name", option.name}, {"description", option.description}});

@@ -42,7 +42,8 @@ struct OptimizeOptions {
   std::string scheme;
   std::string over;       // "r=-2..2,s=0..1"
   std::string objective;  // "vertex", "fit-bspline:degree=2"
-  std::string norm;       // l1, l2 or linf
+  std::string norm;       // l1, l2 or linf; may be empty with a polygon
+  std::string polygon;    // the file of the polygon that the objective is about; empty for none
   bool json = false;
 };
 /// Minimises a named objective over a box of the scheme's free parameters, with proof.

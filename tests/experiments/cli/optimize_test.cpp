@@ -61,5 +61,73 @@ TEST(Optimize, BadInputEndsWith2) {
   rejected("jspline:s=s", "s=-7..0", "vertex", "linf", {"division by zero", "s=-7..0"});
 }
 
+const std::string pentagon = "x,y\n0,0\n8,0\n9,6\n4,9\n1,5\n";
+
+/// On the polygon of a file with this text.
+ProgramRun on_polygon(const std::string& text, const Strings& arguments,
+                      const std::string& name = "polygon.csv") {
+  const TemporaryFolder folder;
+  std::ofstream(folder.path() / name) << text;
+  Strings all{"optimize"};
+  all.insert(all.end(), arguments.begin(), arguments.end());
+  all.insert(all.end(), {"--polygon", name});
+  return run_program(all, folder.path());
+}
+
+TEST(Optimize, OnAPolygonTheAreaIsPreservedExactly) {
+  const ProgramRun run =
+      on_polygon(pentagon, {"jspline:s=s", "--over", "s=-1..5", "--objective", "area", "--json"});
+  EXPECT_EQ(run.exit_code, 0) << run.errors;
+  const Json json = Json::parse(run.output);
+  EXPECT_EQ(json["polygon"], "polygon.csv");
+  EXPECT_EQ(json["minimum"]["exact"], "0");
+  ASSERT_EQ(json["zeros"].size(), 1U);
+  EXPECT_EQ(json["zeros"][0]["rigour"], "exact");
+  EXPECT_EQ(json["termination"], "proved");
+}
+
+TEST(Optimize, OnAPolygonLeastSquaresAreProved) {
+  // A square: the limit mask (a, b, c, b, a) puts a vertex (c - 1, .., ..) away; *J_0 keeps it (jsplines 5).
+  const ProgramRun run = on_polygon(
+      "0,0\n1,0\n1,1\n0,1\n",
+      {"jspline:s=s", "--over", "s=-1/2..3/2", "--objective", "vertex-distance", "--norm", "l2", "--json"});
+  EXPECT_EQ(run.exit_code, 0) << run.errors;
+  const Json json = Json::parse(run.output);
+  EXPECT_EQ(json["minimiser"][0]["exact"], "0");
+  EXPECT_EQ(json["norm"], "l2");
+}
+
+TEST(Optimize, OnAPolygonDistancesToItAreLocal) {
+  const ProgramRun run = on_polygon(
+      pentagon, {"jspline:s=r+jspline:s=3/2", "--over", "r=-1..1", "--objective", "polygon-distance"});
+  EXPECT_EQ(run.exit_code, 0) << run.errors;
+  for (const char* part : {"polygon         polygon.csv", "(approximate)", "termination     local"})
+    expect_contains(run.output, part);
+}
+
+TEST(Optimize, BadPolygonsEndWith2) {
+  const Strings area{"jspline:s=s", "--over", "s=0..1", "--objective", "area"};
+  expect_rejected(on_polygon("0,0\n1,0\n1\n", area), {"polygon.csv:3"});
+  expect_rejected(on_polygon("0,0\n1,nan\n1,1\n", area), {"polygon.csv:2", "nan"});
+  expect_rejected(on_polygon("", area), {"polygon.csv"});
+  expect_rejected(on_polygon("0\n1\n5\n", area), {"two coordinates"});
+  expect_rejected(on_polygon("v 0 0 0\nv 1 0 0\nv 1 1 0\nl 1 2 3\n",
+                             {"jspline:s=s", "--over", "s=0..1", "--objective", "popping"}, "open.obj"),
+                  {"open.obj", "closed"});
+  expect_rejected(on_polygon(pentagon, {"jspline:s=s", "--over", "s=0..1", "--objective", "vertex"}),
+                  {"'vertex'", "vertex-distance"});
+  expect_rejected(
+      on_polygon(pentagon, {"jspline:s=s", "--over", "s=-7..1", "--objective", "vertex-distance"}),
+      {"division by zero", "s=-7..1"});
+  expect_rejected(
+      run_program({"optimize", "jspline:s=s", "--over", "s=0..1", "--objective", "edge-distance"}),
+      {"--polygon"});
+  expect_rejected(run_program({"optimize", "jspline:s=s", "--over", "s=0..1", "--objective", "vertex"}),
+                  {"--norm is required"});
+  expect_rejected(run_program({"optimize", "jspline:s=s", "--over", "s=0..1", "--objective", "area",
+                               "--polygon", "/no/such.csv"}),
+                  {"/no/such.csv"});
+}
+
 }  // namespace
 }  // namespace subdiv
