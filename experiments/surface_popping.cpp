@@ -1,13 +1,26 @@
 #include "experiments/surface_popping.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
 #include <utility>
 
-#include "schemes/evaluate/grid_ringing.h"
+#include "schemes/evaluate/geomorph.h"
 
 namespace subdiv {
+
+namespace {
+
+void keep_counter_clockwise(std::vector<PictureTriangle>& picture) {
+  std::erase_if(picture, [](const PictureTriangle& t) {
+    const Eigen::Vector2d u = t[1] - t[0];
+    const Eigen::Vector2d v = t[2] - t[0];
+    return u.x() * v.y() - u.y() * v.x() <= 0;
+  });
+}
+
+}  // namespace
 
 std::vector<PictureTriangle> picture_of(const DoubleGrid& grid, const Scheme<double>& scheme, int depth,
                                         const View& view) {
@@ -17,12 +30,39 @@ std::vector<PictureTriangle> picture_of(const DoubleGrid& grid, const Scheme<dou
     const auto& c = quad.corners;
     append_quad(picture, view, *c[0], *c[1], *c[2], *c[3]);
   });
-  std::erase_if(picture, [](const PictureTriangle& t) {
-    const Eigen::Vector2d u = t[1] - t[0];
-    const Eigen::Vector2d v = t[2] - t[0];
-    return u.x() * v.y() - u.y() * v.x() <= 0;
-  });
+  keep_counter_clockwise(picture);
   return picture;
+}
+
+std::vector<PictureTriangle> picture_of_geomorph(const DoubleGrid& grid, const Scheme<double>& scheme,
+                                                 int depth, double t, const View& view) {
+  const Refinement<double> both{scheme, depth};
+  const SurfaceSize size = surface_size(grid, both, both);
+  std::vector<Eigen::Vector3d> vertices;
+  stream_geomorph(grid, both, both, t, [&](const Eigen::Vector3d& p) { vertices.push_back(p); });
+  std::vector<PictureTriangle> picture;
+  for (std::size_t i = 0; i < size.strips; ++i) {
+    for (std::size_t v = 0; v < size.quads; ++v) {
+      const auto c = size.corners(i, v);
+      append_quad(picture, view, vertices[c[0]], vertices[c[1]], vertices[c[2]], vertices[c[3]]);
+    }
+  }
+  keep_counter_clockwise(picture);
+  return picture;
+}
+
+double largest_change(const DoubleGrid& grid, const Scheme<double>& scheme, int depth, int pictures,
+                      const View& view, int lines) {
+  std::vector<PictureTriangle> last = picture_of_geomorph(grid, scheme, depth, 0, view);
+  const double whole = compare_pictures(last, {}, lines).first;
+  double largest = 0;
+  for (int f = 1; f <= pictures; ++f) {
+    std::vector<PictureTriangle> next =
+        picture_of_geomorph(grid, scheme, depth, static_cast<double>(f) / pictures, view);
+    largest = std::max(largest, compare_pictures(last, next, lines).difference);
+    last = std::move(next);
+  }
+  return largest / whole;
 }
 
 double silhouette_disparity(const DoubleGrid& grid, const Scheme<double>& scheme, int depth, const View& view,

@@ -19,6 +19,16 @@ using DoubleGrid = ControlGrid<Eigen::Vector3d>;
 [[nodiscard]] std::vector<PictureTriangle> picture_of(const DoubleGrid& grid, const Scheme<double>& scheme,
                                                       int depth, const View& view);
 
+/// The same at time t of the geomorph that leads from level depth - 1 to level depth.
+[[nodiscard]] std::vector<PictureTriangle> picture_of_geomorph(const DoubleGrid& grid,
+                                                               const Scheme<double>& scheme, int depth,
+                                                               double t, const View& view);
+
+/// The largest share of the picture that changes between consecutive ones of the geomorph's pictures at times
+/// 0, 1/pictures, .., 1.
+[[nodiscard]] double largest_change(const DoubleGrid& grid, const Scheme<double>& scheme, int depth,
+                                    int pictures, const View& view, int lines);
+
 /// How much the picture pops when level depth follows level depth - 1: the area that one of the two pictures
 /// covers alone, as a share of the area that the earlier one covers.
 [[nodiscard]] double silhouette_disparity(const DoubleGrid& grid, const Scheme<double>& scheme, int depth,

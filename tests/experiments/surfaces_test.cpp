@@ -140,6 +140,47 @@ TEST_F(Surfaces, SilhouettesPopLeastNearThreeEighths) {
   EXPECT_NEAR(share * 40, std::round(share * 40), 1e-9);
 }
 
+TEST_F(Surfaces, FourTimesAsManyLinesGiveTheSameShare) {
+  int smaller = 0;
+  for (const ViewedGrid& surface : rough_tori(2026, 40)) {
+    const auto disparity = [&](double s) {
+      return silhouette_disparity(surface.grid, j(s), 2, view_from(surface.direction), 1600);
+    };
+    const double middle = disparity(0.375);
+    smaller += middle < disparity(0) && middle < disparity(1) ? 1 : 0;
+  }
+  EXPECT_NEAR(value_of(claims(), "popping.silhouettes"), smaller / 40.0, 1e-9);
+}
+
+TEST_F(Surfaces, AGeomorphDividesTheChangeOfSilhouettes) {
+  const Series& series = find_series(results(), "surface-geomorph-silhouettes");
+  const DoubleGrid grid = grid_of("surface-torus.csv");
+  const View view = view_from({2, -5, 4});
+  for (std::size_t column = 1; column < 4; ++column) {
+    double last = 1;
+    for (const auto& row : series.rows) {
+      EXPECT_LT(std::stod(row[column]), 0.75 * last);  // halved or nearly so
+      last = std::stod(row[column]);
+    }
+  }
+  // Without pictures in between: the pop from level 1, its quads divided at their bilinear centres, to 2.
+  const Table before = refine(table_of(grid_from_data("surface-torus.csv")), 1, 1);
+  const auto picture = [&](const Table& table) {
+    std::vector<PictureTriangle> result;
+    for (std::size_t i = 0; i < table.size(); ++i) {
+      const auto& next = table[(i + 1) % table.size()];
+      for (std::size_t k = 0; k < next.size(); ++k) {
+        const std::size_t l = (k + 1) % next.size();
+        append_quad(result, view, table[i][k], table[i][l], next[l], next[k]);
+      }
+    }
+    return result;
+  };
+  const PictureAreas areas =
+      compare_pictures(picture(refine(before, 0, 1)), picture(refine(before, 1, 1)), 1000);
+  EXPECT_NEAR(std::stod(series.rows[0][3]), areas.difference / areas.first, 1e-6);
+}
+
 bool covers(const std::vector<PictureTriangle>& picture, const Vector2d& p) {
   return std::ranges::any_of(picture, [&](const PictureTriangle& t) {
     int left = 0;
@@ -249,8 +290,9 @@ TEST_F(Surfaces, VerticesTendToTheTensorProductOfLimitMasks) {  // the torus of 
 TEST_F(Surfaces, FiguresAreComplete) {
   std::set<std::string> names;
   for (const Figure& figure : results().figures) names.insert(figure.name);
-  EXPECT_EQ(names, (std::set<std::string>{"surface-torus", "surface-rows", "surface-borders",
-                                          "surface-silhouettes", "surface-silhouette-disparity"}));
+  EXPECT_EQ(names,
+            (std::set<std::string>{"surface-torus", "surface-rows", "surface-borders", "surface-silhouettes",
+                                   "surface-silhouette-disparity", "surface-geomorph-silhouettes"}));
 }
 
 TEST(SurfacePictures, QuadsStandInOrderOfDepthAndFaceTheEye) {
