@@ -109,13 +109,14 @@ Curve drawn(const Series& series, std::string label, std::string style) {
 }
 
 Figure bare_figure(std::string name, std::string title, std::vector<Curve> curves, std::string setup) {
-  return {std::move(name),
-          std::move(title),
-          "",
-          "",
-          std::move(curves),
-          "unset border; unset tics; unset grid; set size ratio -1; set key outside bottom center horizontal; " +
-              std::move(setup)};
+  return {
+      std::move(name),
+      std::move(title),
+      "",
+      "",
+      std::move(curves),
+      "unset border; unset tics; unset grid; set size ratio -1; set key outside bottom center horizontal; " +
+          std::move(setup)};
 }
 
 }  // namespace subdiv
