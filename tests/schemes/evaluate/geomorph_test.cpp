@@ -87,5 +87,25 @@ TEST(Geomorph, OfASurfaceIsStraight) {
   for (std::size_t i = 0; i < fine.size(); ++i) EXPECT_EQ(part[i], (q(3) * begin[i] + q(2) * fine[i]) / q(5));
 }
 
+TEST(Geomorph, BlendsOfBothDirectionsStepsRunOnParabolas) {  // why results are blended instead
+  const auto grid = control_grid({3, true, 0, 0}, {4, true, 0, 0}, squares(12));
+  const auto vertices = [&](const Rational& t) {
+    const Refinement<Rational> blend{geomorph(j(q(1)), 1, t), 1};
+    Rationals result;
+    stream_surface(grid, blend, blend, [&](const Rational& p) { result.push_back(p); }, [](const auto&) {});
+    return result;
+  };
+  const Rationals at0 = vertices(q(0));
+  const Rationals at1 = vertices(q(1, 3));
+  const Rationals at2 = vertices(q(2, 3));
+  const Rationals at3 = vertices(q(1));
+  bool straight = true;
+  for (std::size_t i = 0; i < at0.size(); ++i) {
+    EXPECT_EQ(at3[i] - q(3) * at2[i] + q(3) * at1[i] - at0[i], q(0));
+    straight = straight && at2[i] - q(2) * at1[i] + at0[i] == q(0);
+  }
+  EXPECT_FALSE(straight);
+}
+
 }  // namespace
 }  // namespace subdiv
