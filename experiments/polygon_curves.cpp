@@ -23,6 +23,16 @@ const std::string b2_distance =
     "and "
     "both basis functions centred; compared in outward-rounded arithmetic. ";
 
+const std::string bending_energy =
+    "A curve is better shaped when its bending energy times its length, the integral of the squared "
+    "curvature "
+    "times the length, is smaller: a number without units, 4 pi^2 for circles; of polygons of level 7, in "
+    "floating point. ";
+const std::string local_effect =
+    "One vertex of a closed loop of 12 points moves by 1: how far the points of the retrofitted limit curve "
+    "at "
+    "the parameters i/16 move, exact. ";
+
 ClaimHead tendency(std::string id, std::string document, std::string section, std::string printed,
                    std::string definition) {
   return {std::move(id),      std::move(document), std::move(section),
@@ -93,6 +103,14 @@ std::vector<ClaimHead> make_heads() {
                "cases",
                iteration + "Share, over " + simple_polygons_text() +
                    " and s = -0.85, -0.80, .., 1.95, of those pairs that need at most 50 steps."),
+      tendency(
+          "retrofit.local.nearby", "jsplines", "6",
+          "the effect of tweaking a control vertex of C is usually most significant in the nearby portion "
+          "of *P",
+          local_effect + "Share, over s = -0.85, -0.80, .., 1.95 but 0, of those for which it is largest "
+                         "on one of the two spans that meet at the vertex."),
+      ClaimHead{"retrofit.local.whole", "jsplines", "6", "but may affect the whole curve", ClaimKind::exact,
+                local_effect + "s = 3/2: is it different from 0 on every span?"},
       tendency("fit.tendency.l1.js-report", "js-report", "4",
                "the L1 norm will typically perform better in practice than other norms",
                b2_distance + share_of +
@@ -109,12 +127,20 @@ std::vector<ClaimHead> make_heads() {
                     "for which the largest distance of *J_.639 (Linf) from the quadratic B-spline curve is "
                     "smaller than that of *J_.689 (L1)."),
       tendency(
+          "popping.fixed.close", "jsplines", "12",
+          "This result is useful when it is desired to produce a limit shape that is close to the control "
+          "shape (in the Hausdorff distance sense)",
+          "The Hausdorff distance between the limit curve and its control polygon, in floating point. " +
+              share_of + "for which that of *J_{3/8} is smaller than those of *J_0 and of *J_1."),
+      tendency("vertex.tendency.rounded", "jsplines", "12",
+               "{J_-33/26, *J_1.5} yields more rounded and hence aesthetically preferable results",
+               bending_energy + share_of +
+                   "for which {J_-33/26, *J_{3/2}} is better than {J_{-7/4,59/52}, *J_{3/2}}, which "
+                   "interpolates the vertices exactly."),
+      tendency(
           "edge.tendency.shape", "js-report", "7 (jsplines 7)",
           "interpolating mid-edge points is easier and produces a better shaped curve in general",
-          "A curve is better shaped when its bending energy times its length, the integral of the squared "
-          "curvature times the length, is smaller: a number without units, 4 pi^2 for circles; of "
-          "polygons of level 7, in floating point. " +
-              share_of +
+          bending_energy + share_of +
               "for which {J_29/59, *J_{3/2}} (mid-edges) is better than {J_-33/26, *J_{3/2}} (vertices)."),
   };
 }

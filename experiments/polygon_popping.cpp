@@ -139,7 +139,8 @@ void add_figure(Results& results) {
                 "s",
                 "mean disparity in mean edges",
                 {},
-                "set logscale y; set format y '%.0e'; set arrow from 0.375, graph 0 to 0.375, graph 1 nohead "
+                "set logscale y; set format y '%.0e'; set key bottom left; set arrow from 0.375, graph 0 to "
+                "0.375, graph 1 nohead "
                 "dt 2"};
   for (std::size_t k = 1; k <= levels; ++k) {
     const std::string name = fmt::format("level {}", k);

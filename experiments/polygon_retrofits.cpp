@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "analysis/limit_mask.h"
+#include "analysis/limit_points.h"
 #include "analysis/retrofit.h"
 #include "experiments/polygon_curves.h"
 #include "experiments/simple_polygons.h"
@@ -206,12 +206,54 @@ void add_iterations(Results& results) {
                              "set logscale y; set key top center"});
 }
 
+/// For each span of a loop of 12 points, from the moved vertex on, how far the retrofitted limit curve moves
+/// at most at the parameters i/16 when one vertex moves by 1.
+std::vector<Rational> responses(const Rational& s) {
+  constexpr std::size_t n = 12;
+  constexpr int level = 4;
+  constexpr std::size_t spacing = std::size_t{1} << level;
+  const Scheme<Rational> scheme = stationary("J", jspline(s));
+  std::vector<Rational> moved(n);
+  moved[0] = Rational(1);
+  const ControlPolygon<Rational> controls =
+      closed_polygon(retrofit_directly(vertex_limit_mask(scheme), moved));
+  const std::vector<Rational> curve = limit_derivatives(scheme, controls, level, 0);
+  std::vector<Rational> largest(n);
+  for (std::size_t i = 0; i < curve.size(); ++i) {
+    if (i % spacing == 0) continue;  // vertices belong to two spans, and all but one stay
+    largest[i / spacing] = std::max(largest[i / spacing], abs(curve[i]));
+  }
+  return largest;
+}
+
+void add_local_effects(Results& results) {
+  int nearby = 0;
+  int total = 0;
+  for (int i = -17; i <= 39; ++i) {
+    if (i == 0) continue;  // nothing is retrofitted
+    const std::vector<Rational> spans = responses(Rational(i, 20));
+    const Rational far = *std::max_element(spans.begin() + 1, spans.end() - 1);
+    nearby += far < std::max(spans.front(), spans.back()) ? 1 : 0;
+    ++total;
+  }
+  results.claims.push_back(settle_share(head_of("retrofit.local.nearby"), nearby, total));
+  const std::vector<Rational> spans = responses(Rational(3, 2));
+  const bool everywhere = std::ranges::min_element(spans)->sign() > 0;
+  constexpr std::size_t farthest = 5;
+  results.claims.push_back(settle_statement(head_of("retrofit.local.whole"), everywhere,
+                                            everywhere ? "true" : "false",
+                                            fmt::format("On the two spans farthest from the vertex it is {} "
+                                                        "at most.",
+                                                        to_significant(spans[farthest], 3))));
+}
+
 }  // namespace
 
 Results run_polygon_retrofits() {
   Results results;
   add_rates(results);
   add_iterations(results);
+  add_local_effects(results);
   return results;
 }
 

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "experiments/simple_polygons.h"
@@ -252,6 +253,105 @@ TEST_F(PolygonCurves, RetrofitsByTheIterationItself) {
   EXPECT_EQ(claim("retrofit.realtime").verdict, Verdict::reproduced);
   EXPECT_EQ(claim("retrofit.realtime.slower").verdict, Verdict::reproduced);
   EXPECT_EQ(claim("retrofit.realtime.js-report").verdict, Verdict::reproduced);
+}
+
+TEST_F(PolygonCurves, RetrofittedCurvesMoveEverywhereByLittle) {
+  // The numbers 1, 0, .., 0 on a loop of 12, retrofitted for s = 3/2 (mask 1/120 (1, 26, 66, 26, 1), jsplines
+  // 6).
+  constexpr std::size_t n = 12;
+  Points p(n);
+  Points target(n);
+  target[0] = {1, 0};
+  for (int k = 0; k < 400; ++k) {
+    const Points before = p;
+    for (std::size_t i = 0; i < n; ++i) {
+      const auto at = [&](std::size_t j) { return before[(i + n + j - 2) % n][0]; };
+      p[i][0] += target[i][0] - (at(0) + 26 * at(1) + 66 * at(2) + 26 * at(3) + at(4)) / 120;
+    }
+  }
+  const Points fine = curve(p, 1.5, 1.5, 9);
+  double farthest = 0;
+  for (std::size_t i = 5 * 512; i < 6 * 512; i += 32) farthest = std::max(farthest, std::abs(fine[i][0]));
+  const std::string three_digits = fmt::format("{:.3g}", farthest);
+  EXPECT_NE(claim("retrofit.local.whole").note.find(three_digits), std::string::npos) << three_digits;
+  EXPECT_EQ(claim("retrofit.local.whole").verdict, Verdict::reproduced);
+  EXPECT_EQ(count("retrofit.local.nearby", 56), 56);
+}
+
+double distance_from_edges(const std::array<double, 2>& x, const Points& p) {
+  double least = 1e300;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const auto& a = p[i];
+    const auto& b = p[(i + 1) % p.size()];
+    const double dx = b[0] - a[0];
+    const double dy = b[1] - a[1];
+    const double t = std::clamp(((x[0] - a[0]) * dx + (x[1] - a[1]) * dy) / (dx * dx + dy * dy), 0.0, 1.0);
+    least = std::min(least, std::hypot(x[0] - a[0] - t * dx, x[1] - a[1] - t * dy));
+  }
+  return least;
+}
+
+/// From the points of a curve, and from many points of its control polygon, to the other one.
+double hausdorff_by_samples(const Points& p, double s) {
+  constexpr std::size_t samples = 16;
+  const Points fine = curve(p, s, s, 7);
+  double largest = 0;
+  for (const auto& x : fine) largest = std::max(largest, distance_from_edges(x, p));
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const auto& b = p[(i + 1) % p.size()];
+    for (std::size_t k = 0; k < samples; ++k) {
+      const double t = static_cast<double>(k) / samples;
+      largest = std::max(
+          largest,
+          distance_from_edges({p[i][0] + t * (b[0] - p[i][0]), p[i][1] + t * (b[1] - p[i][1])}, fine));
+    }
+  }
+  return largest;
+}
+
+TEST_F(PolygonCurves, TheFourPointCurveIsOftenCloserToThePolygon) {
+  int closer = 0;
+  for (const Points& p : family()) {
+    const double fixed = hausdorff_by_samples(p, 0.375);
+    closer += fixed < hausdorff_by_samples(p, 0) && fixed < hausdorff_by_samples(p, 1) ? 1 : 0;
+  }
+  EXPECT_NEAR(closer, static_cast<double>(count("popping.fixed.close", 200)), 2);
+  EXPECT_EQ(claim("popping.fixed.close").verdict, Verdict::inconsistent);
+}
+
+/// The integral of the squared curvature times the length, by central differences of a fine curve.
+double bending(const Points& p) {
+  const std::size_t n = p.size();
+  double energy = 0;
+  double length = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto& a = p[(i + n - 1) % n];
+    const auto& b = p[(i + 1) % n];
+    const double vx = (b[0] - a[0]) / 2;
+    const double vy = (b[1] - a[1]) / 2;
+    const double speed = std::hypot(vx, vy);
+    const double cross = vx * (a[1] - 2 * p[i][1] + b[1]) - vy * (a[0] - 2 * p[i][0] + b[0]);
+    energy += cross * cross / std::pow(speed, 5);
+    length += speed;
+  }
+  return energy * length;
+}
+
+TEST_F(PolygonCurves, ShapesByCurvature) {
+  int edges = 0;
+  int rounded = 0;
+  for (const Points& p : family()) {
+    const auto energy = [&](double a, double b) {
+      Points q = refined(p, a, b);
+      for (int k = 0; k < 7; ++k) q = refined(q, 1.5, 1.5);
+      return bending(q);
+    };
+    const double vertices = energy(-33.0 / 26, -33.0 / 26);
+    edges += energy(29.0 / 59, 29.0 / 59) < vertices ? 1 : 0;
+    rounded += vertices < energy(-7.0 / 4, 59.0 / 52) ? 1 : 0;
+  }
+  EXPECT_NEAR(edges, static_cast<double>(count("edge.tendency.shape", 200)), 2);
+  EXPECT_NEAR(rounded, static_cast<double>(count("vertex.tendency.rounded", 200)), 2);
 }
 
 /// The quadratic B-spline curve with the middle of its basis functions at the control points.
