@@ -44,10 +44,8 @@ class Ringing {
     require_places(details_, controls.topology, arity_, depth);
     require_ends(vertex_reach(scheme, depth));
     end_ = static_cast<long long>(refined_points(controls.topology, arity_, depth));
-    for (int k = 0; k < depth; ++k)
-      rules_.push_back(refinement_rules(scheme.step(static_cast<std::size_t>(k))));
     computed_.assign(static_cast<std::size_t>(depth) + 1, 0);
-    if (end_ > 0) fill(vertex);
+    if (end_ > 0) fill(scheme, vertex);
   }
 
   /// The index of the current point on the refined curve, and whether the curve has ended before it.
@@ -57,11 +55,11 @@ class Ringing {
   [[nodiscard]] const Point& point() const { return at(rings_.back(), rings_.back().centre); }
   /// Moves to the next point. Moving past the end does nothing.
   void advance() {
-    if (done()) return;
-    if (index() + 1 == end_) {
-      ++rings_.back().centre;  // nothing is computed for a point that does not exist
-    } else {
+    const long long next = index() + 1;
+    if (next < end_) {
       advance(rings_.size() - 1);
+    } else if (next == end_) {
+      ++rings_.back().centre;  // nothing is computed for a point that does not exist
     }
   }
 
@@ -104,10 +102,18 @@ class Ringing {
   [[nodiscard]] std::size_t computed(std::size_t level) const { return computed_[level]; }
 
  private:
+  /// Which points of the parent ring make a point: for the one that enters a ring next, this depends on the
+  /// residue of the centre modulo m alone.
+  struct Entry {
+    std::size_t offset = 0;  // of the first one in the parent's window
+    std::vector<R> weights;
+  };
   struct Ring {
     long long centre = 0;
-    std::size_t first = 0;  // the slot of the point at the window's first offset
+    std::size_t residue = 0;  // of the centre; a division a point would take longer than the point
+    std::size_t first = 0;    // the slot of the point at the window's first offset
     std::vector<Point> points;
+    std::vector<Entry> entries;  // by residue; none for the ring of the control polygon
   };
 
   [[nodiscard]] const Point& at(const Ring& ring, long long index) const {
@@ -116,17 +122,12 @@ class Ringing {
     return ring.points[slot];
   }
 
-  /// Point `index` of a level from its parent ring, or from the control polygon.
-  [[nodiscard]] Point computed_point(std::size_t level, long long index) {
-    ++computed_[level];
-    Point result = level == 0 ? controls_->at(on_polygon(index)) : refined(level, index);
-    if (!details_.empty()) {
-      const auto period =
-          static_cast<long long>(refined_points(controls_->topology, arity_, static_cast<int>(level)));
-      const long long place = controls_->topology.closed ? ((index % period) + period) % period : index;
-      Details<Point>::apply(details_.at_level(static_cast<int>(level)), place, result);
-    }
-    return result;
+  /// A point of a level is moved by its details.
+  void add_details(std::size_t level, long long index, Point& point) const {
+    const auto period =
+        static_cast<long long>(refined_points(controls_->topology, arity_, static_cast<int>(level)));
+    const long long place = controls_->topology.closed ? ((index % period) + period) % period : index;
+    Details<Point>::apply(details_.at_level(static_cast<int>(level)), place, point);
   }
 
   void require_ends(const IndexWindow& reach) const {
@@ -148,35 +149,69 @@ class Ringing {
     return std::clamp(index, first, first + static_cast<long long>(t.points) - 1);
   }
 
-  [[nodiscard]] Point refined(std::size_t level, long long index) const {
-    const Ring& parent = rings_[level - 1];
-    const auto m = static_cast<long long>(arity_);
-    const long long r = ((index % m) + m) % m;
-    const RefinementRule<R>& rule = rules_[level - 1][static_cast<std::size_t>(r)];
-    const long long first = (index - r) / m + rule.first;
-    Point sum = rule.weights.front() * at(parent, first);
-    for (std::size_t k = 1; k < rule.weights.size(); ++k)
-      sum = sum + rule.weights[k] * at(parent, first + static_cast<long long>(k));
+  /// The point that an entry makes of its parent ring.
+  [[nodiscard]] Point sum_of(const Ring& ring, const Entry& entry) const {
+    const Point* const points = ring.points.data();
+    const R* const weights = entry.weights.data();
+    const std::size_t count = entry.weights.size();
+    const std::size_t size = points_per_level();
+    std::size_t slot = ring.first + entry.offset;
+    if (slot >= size) slot -= size;
+    Point sum = weights[0] * points[slot];
+    for (std::size_t k = 1; k < count; ++k) {
+      slot = slot + 1 == size ? 0 : slot + 1;
+      sum = sum + weights[k] * points[slot];
+    }
     return sum;
   }
 
+  /// What makes a point of a level when the parent ring has a given centre.
+  [[nodiscard]] Entry entry(const std::vector<RefinementRule<R>>& rules, long long index,
+                            long long parent_centre) const {
+    const long long m = arity_;
+    const long long r = ((index % m) + m) % m;
+    const RefinementRule<R>& rule = rules[static_cast<std::size_t>(r)];
+    const long long offset = (index - r) / m + rule.first - parent_centre - window_.first;
+    return {static_cast<std::size_t>(offset), rule.weights};
+  }
+
   /// The rings around a control vertex: each derived from its parent alone.
-  void fill(long long vertex) {
+  void fill(const Scheme<R>& scheme, long long vertex) {
     for (std::size_t level = 0; level < computed_.size(); ++level) {
-      const long long centre = level == 0 ? vertex : rings_.back().centre * arity_;
-      Ring ring{centre, 0, {}};
-      for (int o = window_.first; o <= window_.last; ++o)
-        ring.points.push_back(computed_point(level, centre + o));
+      Ring ring;
+      std::vector<RefinementRule<R>> rules;
+      if (level > 0) rules = refinement_rules(scheme.step(level - 1));
+      const long long parent_centre = level > 0 ? rings_.back().centre : 0;
+      ring.centre = level > 0 ? parent_centre * arity_ : vertex;
+      for (int o = window_.first; o <= window_.last; ++o) {
+        const long long index = ring.centre + o;
+        ring.points.push_back(level > 0 ? sum_of(rings_.back(), entry(rules, index, parent_centre))
+                                        : controls_->at(on_polygon(index)));
+        if (!details_.empty()) add_details(level, index, ring.points.back());
+      }
+      // Once a ring moves, its parent is ahead: at the next vertex behind the ring's centre.
+      for (int r = 0; level > 0 && r < arity_; ++r)
+        ring.entries.push_back(entry(rules, r + window_.last + 1, 1));
+      computed_[level] = ring.points.size();
       rings_.push_back(std::move(ring));
     }
   }
 
   void advance(std::size_t level) {
     Ring& ring = rings_[level];
-    if (level > 0 && ring.centre % arity_ == 0) advance(level - 1);
-    ring.points[ring.first] = computed_point(level, ring.centre + window_.last + 1);
-    ring.first = ring.first + 1 == ring.points.size() ? 0 : ring.first + 1;
+    Point& entering = ring.points[ring.first];
+    const long long index = ring.centre + window_.last + 1;
+    if (level == 0) {
+      entering = controls_->at(on_polygon(index));
+    } else {
+      if (ring.residue == 0) advance(level - 1);
+      entering = sum_of(rings_[level - 1], ring.entries[ring.residue]);
+      ring.residue = ring.residue + 1 == ring.entries.size() ? 0 : ring.residue + 1;
+    }
+    if (!details_.empty()) add_details(level, index, entering);
+    ring.first = ring.first + 1 == points_per_level() ? 0 : ring.first + 1;
     ++ring.centre;
+    ++computed_[level];
   }
 
   const ControlPolygon<Point>* controls_;
@@ -184,7 +219,6 @@ class Ringing {
   int arity_;
   Details<Point> details_;
   long long end_ = 0;
-  std::vector<std::vector<RefinementRule<R>>> rules_;  // of the step from level k to k + 1
   std::vector<Ring> rings_;
   std::vector<std::size_t> computed_;
 };
