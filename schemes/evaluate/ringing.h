@@ -44,12 +44,12 @@ class Ringing {
     require_places(details_, controls.topology, arity_, depth);
     require_ends(vertex_reach(scheme, depth));
     end_ = static_cast<long long>(refined_points(controls.topology, arity_, depth));
-    computed_.assign(static_cast<std::size_t>(depth) + 1, 0);
+    rings_.resize(static_cast<std::size_t>(depth) + 1);
     if (end_ > 0) fill(scheme, vertex);
   }
 
   /// The index of the current point on the refined curve, and whether the curve has ended before it.
-  [[nodiscard]] long long index() const { return rings_.empty() ? 0 : rings_.back().centre; }
+  [[nodiscard]] long long index() const { return rings_.back().centre; }
   [[nodiscard]] bool done() const { return index() >= end_; }
   /// The current point. Only while not done().
   [[nodiscard]] const Point& point() const { return at(rings_.back(), rings_.back().centre); }
@@ -97,9 +97,9 @@ class Ringing {
 
   /// The footprint: points kept at each level, and levels, the control polygon's among them.
   [[nodiscard]] std::size_t points_per_level() const { return static_cast<std::size_t>(window_.size()); }
-  [[nodiscard]] std::size_t levels() const { return computed_.size(); }
+  [[nodiscard]] std::size_t levels() const { return rings_.size(); }
   /// The work so far: points that level k has loaded (k = 0) or computed.
-  [[nodiscard]] std::size_t computed(std::size_t level) const { return computed_[level]; }
+  [[nodiscard]] std::size_t computed(std::size_t level) const { return rings_[level].computed; }
 
  private:
   /// Which points of the parent ring make a point: for the one that enters a ring next, this depends on the
@@ -114,6 +114,7 @@ class Ringing {
     std::size_t first = 0;    // the slot of the point at the window's first offset
     std::vector<Point> points;
     std::vector<Entry> entries;  // by residue; none for the ring of the control polygon
+    std::size_t computed = 0;
   };
 
   [[nodiscard]] const Point& at(const Ring& ring, long long index) const {
@@ -177,23 +178,25 @@ class Ringing {
 
   /// The rings around a control vertex: each derived from its parent alone.
   void fill(const Scheme<R>& scheme, long long vertex) {
-    for (std::size_t level = 0; level < computed_.size(); ++level) {
-      Ring ring;
+    for (std::size_t level = 0; level < rings_.size(); ++level) {
+      Ring& ring = rings_[level];
+      ring.centre = level > 0 ? rings_[level - 1].centre * arity_ : vertex;
       std::vector<RefinementRule<R>> rules;
       if (level > 0) rules = refinement_rules(scheme.step(level - 1));
-      const long long parent_centre = level > 0 ? rings_.back().centre : 0;
-      ring.centre = level > 0 ? parent_centre * arity_ : vertex;
       for (int o = window_.first; o <= window_.last; ++o) {
         const long long index = ring.centre + o;
-        ring.points.push_back(level > 0 ? sum_of(rings_.back(), entry(rules, index, parent_centre))
-                                        : controls_->at(on_polygon(index)));
+        if (level == 0) {
+          ring.points.push_back(controls_->at(on_polygon(index)));
+        } else {
+          const Ring& parent = rings_[level - 1];
+          ring.points.push_back(sum_of(parent, entry(rules, index, parent.centre)));
+        }
         if (!details_.empty()) add_details(level, index, ring.points.back());
       }
       // Once a ring moves, its parent is ahead: at the next vertex behind the ring's centre.
       for (int r = 0; level > 0 && r < arity_; ++r)
         ring.entries.push_back(entry(rules, r + window_.last + 1, 1));
-      computed_[level] = ring.points.size();
-      rings_.push_back(std::move(ring));
+      ring.computed = ring.points.size();
     }
   }
 
@@ -211,7 +214,7 @@ class Ringing {
     if (!details_.empty()) add_details(level, index, entering);
     ring.first = ring.first + 1 == points_per_level() ? 0 : ring.first + 1;
     ++ring.centre;
-    ++computed_[level];
+    ++ring.computed;
   }
 
   const ControlPolygon<Point>* controls_;
@@ -220,7 +223,6 @@ class Ringing {
   Details<Point> details_;
   long long end_ = 0;
   std::vector<Ring> rings_;
-  std::vector<std::size_t> computed_;
 };
 
 }  // namespace subdiv
