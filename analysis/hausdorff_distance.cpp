@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
+#include <functional>
 #include <limits>
 #include <queue>
 #include <span>
@@ -12,6 +12,7 @@
 #define BOOST_ALLOW_DEPRECATED_HEADERS  // Boost 1.74 includes its own deprecated headers
 #include <boost/geometry.hpp>
 #include <boost/geometry/index/rtree.hpp>
+#include <boost/iterator/function_output_iterator.hpp>
 
 namespace subdiv {
 namespace {
@@ -20,7 +21,8 @@ namespace geometry = boost::geometry;
 constexpr std::size_t indexed = 3;  // coordinates in the R-tree; distances in them are bounds from below
 using IndexPoint = geometry::model::point<double, indexed, geometry::cs::cartesian>;
 using IndexBox = geometry::model::box<IndexPoint>;
-using Entry = std::pair<IndexBox, std::size_t>;
+using IndexSegment = geometry::model::segment<IndexPoint>;
+using Entry = std::pair<IndexSegment, std::size_t>;
 constexpr std::size_t node_entries = 16;
 using Tree = geometry::index::rtree<Entry, geometry::index::quadratic<node_entries>>;
 
@@ -41,17 +43,14 @@ Point midpoint(const Point& a, const Point& b) {
 /// The edges of a polyline; a single point is an edge of length 0.
 class Edges {
  public:
-  explicit Edges(const Polyline& polyline) {
+  /// Coordinates are multiplied by 2^-exponent, so that squares neither overflow nor vanish.
+  Edges(const Polyline& polyline, int exponent) {
     const std::size_t n = curve_size(polyline.topology);
     const std::size_t first = polyline.topology.closed ? 0 : polyline.topology.before;
     dimension_ = polyline.coordinates.size();
     for (std::size_t i = 0; i < n; ++i) {
-      for (const std::vector<double>& c : polyline.coordinates) {
-        if (!std::isfinite(c[first + i])) {
-          throw std::invalid_argument("the distance of polylines needs finite coordinates");
-        }
-        values_.push_back(c[first + i]);
-      }
+      for (const std::vector<double>& c : polyline.coordinates)
+        values_.push_back(std::ldexp(c[first + i], -exponent));
     }
     if (n == 0 || dimension_ == 0) throw std::invalid_argument("an empty polyline has no distance");
     points_ = n;
@@ -106,25 +105,28 @@ class EdgeIndex {
  public:
   explicit EdgeIndex(const Edges& edges) : edges_(&edges) {
     std::vector<Entry> entries;
-    for (std::size_t i = 0; i < edges.size(); ++i) {
-      IndexBox box;
-      geometry::envelope(
-          geometry::model::segment<IndexPoint>(in_index(edges.point(i)), in_index(edges.point(i + 1))), box);
-      entries.emplace_back(box, i);
-    }
+    for (std::size_t i = 0; i < edges.size(); ++i)
+      entries.emplace_back(IndexSegment(in_index(edges.point(i)), in_index(edges.point(i + 1))), i);
     tree_ = Tree(entries);
   }
 
-  /// The boxes come in the order of their distance: once one is farther than an edge met, so are the rest.
   [[nodiscard]] Nearest nearest(std::span<const double> x) const {
-    const IndexPoint place = in_index(x);
     Nearest best;
-    for (auto entry = tree_.qbegin(geometry::index::nearest(place, static_cast<unsigned>(edges_->size())));
-         entry != tree_.qend(); ++entry) {
-      if (geometry::distance(place, entry->first) > best.distance) break;
-      const double distance = edges_->distance_from(entry->second, x);
-      if (distance < best.distance) best = {entry->second, distance};
-    }
+    const auto consider = [&](const Entry& entry) {
+      const double distance = edges_->distance_from(entry.second, x);
+      if (distance < best.distance) best = {entry.second, distance};
+    };
+    const IndexPoint place = in_index(x);
+    tree_.query(geometry::index::nearest(place, 1),
+                boost::make_function_output_iterator(std::cref(consider)));
+    if (edges_->dimension() <= indexed) return best;
+    // Nearer edges may exist in all dimensions: near enough in the indexed ones.
+    IndexPoint low = place;
+    IndexPoint high = place;
+    geometry::subtract_value(low, best.distance);
+    geometry::add_value(high, best.distance);
+    tree_.query(geometry::index::intersects(IndexBox(low, high)),
+                boost::make_function_output_iterator(std::cref(consider)));
     return best;
   }
 
@@ -192,20 +194,30 @@ DistanceBounds directed(const Edges& from, const Edges& to, double tolerance) {
   return {lower, std::max(lower, upper)};
 }
 
-void require_comparable(const Edges& a, const Edges& b, double tolerance) {
-  if (a.dimension() != b.dimension()) {
-    throw std::invalid_argument("the distance of polylines needs points of the same dimension");
+/// The exponent of the largest coordinate. Throws std::invalid_argument for one that is not finite.
+int largest_exponent(const Polyline& a, const Polyline& b) {
+  double largest = 0;
+  for (const Polyline* polyline : {&a, &b}) {
+    for (const std::vector<double>& c : polyline->coordinates) {
+      for (const double x : c) {
+        if (!std::isfinite(x)) throw std::invalid_argument("the distance of polylines needs finite points");
+        largest = std::max(largest, std::abs(x));
+      }
+    }
   }
-  if (!(tolerance > 0)) throw std::invalid_argument("a distance needs a positive tolerance");
+  return largest > 0 ? std::ilogb(largest) : 0;
 }
 
 }  // namespace
 
 DistanceBounds directed_hausdorff_distance(const Polyline& a, const Polyline& b, double tolerance) {
-  const Edges from(a);
-  const Edges to(b);
-  require_comparable(from, to, tolerance);
-  return directed(from, to, tolerance);
+  if (a.coordinates.size() != b.coordinates.size())
+    throw std::invalid_argument("the distance of polylines needs points of the same dimension");
+  if (!(tolerance > 0)) throw std::invalid_argument("a distance needs a positive tolerance");
+  const int exponent = largest_exponent(a, b);
+  const double scaled = std::max(std::ldexp(tolerance, -exponent), std::numeric_limits<double>::min());
+  const DistanceBounds bounds = directed(Edges(a, exponent), Edges(b, exponent), scaled);
+  return {std::ldexp(bounds.lower, exponent), std::ldexp(bounds.upper, exponent)};
 }
 
 DistanceBounds hausdorff_distance(const Polyline& a, const Polyline& b, double tolerance) {

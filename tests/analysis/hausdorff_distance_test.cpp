@@ -56,6 +56,17 @@ TEST(HausdorffDistance, AnyDimension) {
   expect_encloses(directed_hausdorff_distance(open(a), open(b), tolerance), std::sqrt(5 - 144.0 / 44));
 }
 
+TEST(HausdorffDistance, AnySize) {
+  for (const double size : {1e-300, 1e-150, 1e150, 1e300}) {
+    const Polyline small = closed({{-size, size, size, -size}, {-size, -size, size, size}});
+    const Polyline large =
+        closed({{-2 * size, 2 * size, 2 * size, -2 * size}, {-2 * size, -2 * size, 2 * size, 2 * size}});
+    const DistanceBounds bounds = hausdorff_distance(small, large, 1e-9 * size);
+    EXPECT_NEAR(bounds.lower / size, std::sqrt(2.0), 1e-9);
+    EXPECT_NEAR(bounds.upper / size, std::sqrt(2.0), 1e-9);
+  }
+}
+
 TEST(HausdorffDistance, Points) {
   const Polyline point = closed({{1}, {1}});
   expect_encloses(hausdorff_distance(point, closed({{4}, {5}}), tolerance), 5);
@@ -133,7 +144,7 @@ TEST(HausdorffDistance, AgreesWithDenseSamples) {
 }
 
 TEST(HausdorffDistance, FinePolygonsAreQuick) {
-  constexpr int n = 20000;
+  constexpr int n = 100000;
   std::vector<std::vector<double>> coarse(2);
   std::vector<std::vector<double>> fine(2);
   for (int i = 0; i < n; ++i) {
