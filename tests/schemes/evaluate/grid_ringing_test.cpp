@@ -241,9 +241,8 @@ TEST(GridRinging, RefusesWhatIsNoGrid) {
   EXPECT_THROW(quads_by_two_rings(grid, j(q(1), -3), j(q(1), 1), ignore), std::invalid_argument);
   EXPECT_THROW(quads_by_two_rings(grid, j(q(1), 1), j(q(1), -3), ignore), std::invalid_argument);
   EXPECT_THROW(stream_surface(grid, j(q(1), 31), j(q(1), 31), ignore, ignore), std::overflow_error);
-  EXPECT_THROW(
-      stream_surface(powers_on({4, false, 1, 1}, {3, true, 0, 0}), j(q(0), 1), j(q(0), 1), ignore, ignore),
-      std::out_of_range);
+  const auto short_ends = powers_on({4, false, 1, 1}, {3, true, 0, 0});  // J_s depends on two points
+  EXPECT_THROW(stream_surface(short_ends, j(q(1, 2), 2), j(q(1, 2), 2), ignore, ignore), std::out_of_range);
   grid.lines[1].points.pop_back();
   EXPECT_THROW(quads_evaluated_once(grid, j(q(1), 1), j(q(1), 1), ignore), std::invalid_argument);
   grid.lines.pop_back();
