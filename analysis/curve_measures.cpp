@@ -1,5 +1,6 @@
 #include "analysis/curve_measures.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>

@@ -1,5 +1,8 @@
 #include "optimize/local_search.h"
 
+#include <cmath>
+#include <limits>
+
 #include <gtest/gtest.h>
 
 namespace subdiv {
@@ -57,6 +60,25 @@ TEST(LocalSearch, ListsAPointOnce) {
   const auto found =
       local_minima({{(x - number(1)) * (x - number(1)) + number(1)}, Norm::l1, {range}, {}}, {});
   EXPECT_EQ(found.size(), 1U);
+}
+
+TEST(LocalSearch, AnyFunctionOfTheParameters) {
+  // |x - 1| + (y + 2)^2, and two equal valleys at x = +-1 with a wall of infinities between them.
+  const std::vector<Range> box{{Rational(-3), Rational(3)}, {Rational(-3), Rational(3)}};
+  const auto bowl = [](const std::vector<double>& at) {
+    return std::abs(at[0] - 1) + (at[1] + 2) * (at[1] + 2);
+  };
+  const std::vector<LocalMinimum> one = local_minima(bowl, box, 8, 1e-9);
+  ASSERT_FALSE(one.empty());
+  EXPECT_NEAR(one.front().x[0], 1, 1e-6);
+  EXPECT_NEAR(one.front().x[1], -2, 1e-3);
+  const auto valleys = [](const std::vector<double>& at) {
+    return std::abs(at[0]) < 0.1 ? std::numeric_limits<double>::infinity() : std::abs(at[0] * at[0] - 1);
+  };
+  const std::vector<LocalMinimum> two = local_minima(valleys, {box[0]}, 16, 1e-9);
+  ASSERT_GE(two.size(), 2U);
+  EXPECT_NEAR(two[0].x[0] * two[1].x[0], -1, 1e-6);
+  EXPECT_TRUE(local_minima([](const auto&) { return std::nan(""); }, {box[0]}, 4, 1e-9).empty());
 }
 
 }  // namespace
