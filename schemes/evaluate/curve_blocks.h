@@ -79,10 +79,9 @@ struct WriteOptions {
 
 /// A refined curve that is evaluated by blocks. T is double or float; any number of coordinates.
 ///
-/// Coordinates that are not finite follow IEEE arithmetic. The weights of a table's window may be zero for
-/// some outputs, and 0 times NaN is NaN: what is not finite spoils all points that depend on it, and may
-/// spoil others of the blocks whose windows hold it. Point n of the curve is never touched by control points
-/// farther than the window of the table from it: reach() says how far.
+/// Coordinates that are not finite follow IEEE arithmetic. A weight of a table may be zero, and 0 times NaN
+/// or infinity is NaN: a control point that is not finite spoils all points that depend on it, and may spoil
+/// others of the blocks whose windows hold it. Beyond reach() it changes nothing.
 template <class T>
 class CurveBlocks {
  public:
@@ -101,7 +100,8 @@ class CurveBlocks {
   /// Control points of other indices than t + first .. t + last do not change the points at parameters in
   /// [t, t + 1), t whole, not even when they are not finite.
   [[nodiscard]] IndexWindow reach() const;
-  /// The footprint of one stream beside the tables: what is kept of all levels, and the block, in bytes.
+  /// The footprint of one stream beside the tables, in bytes: what is kept of all levels, and the block.
+  /// Writing past the caches takes two more blocks.
   [[nodiscard]] std::size_t stream_bytes() const;
 
   /// Points first .. last - 1. Throws std::out_of_range unless first <= last <= size().

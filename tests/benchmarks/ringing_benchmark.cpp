@@ -7,7 +7,8 @@
 #include <chrono>
 #include <cmath>
 #include <cstddef>
-#include <string>
+#include <cstdint>
+#include <ctime>
 #include <vector>
 
 #include <Eigen/Core>
@@ -60,23 +61,29 @@ const CurveBlocks<double>& curve() {
 
 /// A buffer for the whole curve, reused by all benchmarks, whose pages are there.
 std::array<double*, 3> buffer() {
-  static AlignedVector<double> memory(3 * points, 0.0);
+  static AlignedVector<double> memory(3 * points + line_values<double>, 0.0);
   return {memory.data(), memory.data() + points, memory.data() + 2 * points};
 }
 
 // ---- What is measured, once through
 // -------------------------------------------------------------------------
 
-void fill() {
-  for (double* const out : buffer()) std::fill_n(out, points, s);
+/// A part of the curve and of the buffer.
+struct Part {
+  std::size_t first = 0;
+  std::size_t last = points;
+};
+
+void fill(const Part& part) {
+  for (double* const out : buffer()) std::fill(out + part.first, out + part.last, s);
   benchmark::ClobberMemory();
 }
 
 /// From a source in the first cache, past the caches.
-void fill_past_caches() {
+void fill_past_caches(const Part& part) {
   static const AlignedVector<double> source(512, s);
   for (double* const out : buffer()) {
-    for (std::size_t i = 0; i < points; i += source.size())
+    for (std::size_t i = part.first; i < part.last; i += source.size())
       detail::copy_past_caches({source.data(), out + i, source.size()});
   }
   detail::finish_copies();
@@ -109,9 +116,12 @@ void level_by_level() {
 
 void sum_of_blocks(int threads) { benchmark::DoNotOptimize(curve().sum(threads)); }
 
-void write_blocks(int threads, Stores stores = Stores::past_caches) {
-  const std::array<double*, 3> out = buffer();
-  curve().write(out, {threads, stores});
+/// Into arrays that begin `offset` values behind the begin of a cache line.
+void write_blocks(const Part& part, int threads, Stores stores = Stores::past_caches,
+                  std::size_t offset = 0) {
+  std::array<double*, 3> out = buffer();
+  for (double*& p : out) p += part.first + offset;
+  curve().write(part.first, part.last, out, {threads, stores});
   benchmark::ClobberMemory();
 }
 
@@ -131,71 +141,113 @@ void measure(benchmark::State& state, const Work& work) {
   state.SetBytesProcessed(state.iterations() * static_cast<std::int64_t>(bytes));
 }
 
-void ringing_fill(benchmark::State& state) { measure(state, fill); }
-void ringing_fill_past_caches(benchmark::State& state) { measure(state, fill_past_caches); }
+void ringing_fill(benchmark::State& state) {
+  measure(state, [] { fill(Part()); });
+}
+void ringing_fill_past_caches(benchmark::State& state) {
+  measure(state, [] { fill_past_caches(Part()); });
+}
 void ringing_appendix_summed(benchmark::State& state) { measure(state, sum_of_appendix); }
 void ringing_rings_summed(benchmark::State& state) { measure(state, sum_of_rings); }
 void ringing_level_by_level(benchmark::State& state) { measure(state, level_by_level); }
 void ringing_blocks_summed(benchmark::State& state) {
   measure(state, [&] { sum_of_blocks(static_cast<int>(state.range(0))); });
+  state.counters["stream_bytes"] = static_cast<double>(curve().stream_bytes());
+  state.counters["table_bytes"] = static_cast<double>(curve().stages().bytes());
 }
 void ringing_blocks_written(benchmark::State& state) {
-  measure(state, [&] { write_blocks(static_cast<int>(state.range(0))); });
+  measure(state, [&] { write_blocks(Part(), static_cast<int>(state.range(0))); });
 }
-void ringing_blocks_written_cached(benchmark::State& state) {
-  measure(state, [&] { write_blocks(static_cast<int>(state.range(0)), Stores::cached); });
+void ringing_blocks_written_in_caches(benchmark::State& state) {
+  measure(state, [&] { write_blocks(Part(), static_cast<int>(state.range(0)), Stores::cached); });
 }
 void ringing_blocks_interleaved(benchmark::State& state) {
   measure(state, [&] { write_interleaved_blocks(static_cast<int>(state.range(0))); });
 }
 
-// ---- Side by side
-// ---------------------------------------------------------------------------------------------
-
-template <class Work>
-double seconds(const Work& work) {
-  const auto begin = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+/// Three points at a depth that no memory would hold, and many points at a small one.
+void measure_streaming(benchmark::State& state, std::size_t controls, int steps) {
+  CoordinateArrays<double> polygon{{controls, true, 0, 0}, std::vector<std::vector<double>>(3)};
+  for (std::size_t c = 0; c < 3; ++c)
+    for (std::size_t i = 0; i < controls; ++i)
+      polygon.coordinates[c].push_back(arrays().coordinates[c][i % control_points]);
+  const CurveBlocks<double> streamed(scheme(), polygon, steps);
+  for (auto unused : state) benchmark::DoNotOptimize(streamed.sum());
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(streamed.size()));
+  state.counters["stream_bytes"] = static_cast<double>(streamed.stream_bytes());
+  state.counters["table_bytes"] = static_cast<double>(streamed.stages().bytes());
+}
+void ringing_three_points_at_depth_28(benchmark::State& state) { measure_streaming(state, 3, 28); }
+void ringing_ten_million_points_at_depth_3(benchmark::State& state) {
+  measure_streaming(state, 10'000'000, 3);
 }
 
-/// How many times as long `slow` takes as `fast`, in turns, so that both meet the same machine. The best time
-/// of each counts.
+// ---- Side by side
+
+double processor_time() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+double wall_time() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// How many times as long `slow` takes as `fast`, in turns of one part after the other, so that both meet the
+/// same machine: the median of the turns. The clock counts this process alone, or the time that passes.
 template <class Slow, class Fast>
-void compare(benchmark::State& state, const Slow& slow, const Fast& fast) {
-  constexpr int turns = 7;
-  fast();
-  double best_slow = 0;
-  double best_fast = 0;
+void compare(benchmark::State& state, double (*clock)(), int parts, const Slow& slow, const Fast& fast) {
+  constexpr std::size_t turns = 5;
+  const std::size_t size = points / static_cast<std::size_t>(parts);
+  std::vector<double> ratios;
   for (auto unused : state) {
-    for (int turn = 0; turn < turns; ++turn) {
-      const double slow_time = seconds(slow);
-      const double fast_time = seconds(fast);
-      best_slow = best_slow == 0 ? slow_time : std::min(best_slow, slow_time);
-      best_fast = best_fast == 0 ? fast_time : std::min(best_fast, fast_time);
+    for (std::size_t turn = 0; turn <= turns; ++turn) {
+      double slow_time = 0;
+      double fast_time = 0;
+      for (std::size_t first = 0; first < points; first += size) {
+        const Part part{first, first + size};
+        const double begin = clock();
+        slow(part);
+        const double middle = clock();
+        fast(part);
+        slow_time += middle - begin;
+        fast_time += clock() - middle;
+      }
+      if (turn > 0) ratios.push_back(slow_time / fast_time);  // the first one touches everything
     }
   }
-  state.counters["ratio"] = best_slow / best_fast;
+  std::sort(ratios.begin(), ratios.end());
+  state.counters["ratio"] = ratios[turns / 2];
 }
 
 void ringing_ratio_summed_to_appendix(benchmark::State& state) {
-  compare(state, sum_of_appendix, [] { sum_of_blocks(1); });
+  compare(
+      state, processor_time, 1, [](const Part&) { sum_of_appendix(); },
+      [](const Part&) { sum_of_blocks(1); });
 }
 void ringing_ratio_rings_to_appendix(benchmark::State& state) {
-  compare(state, sum_of_appendix, sum_of_rings);
-}
-void ringing_ratio_written_to_bandwidth(benchmark::State& state) {
-  const bool past = seconds(fill_past_caches) < seconds(fill);
-  compare(state, past ? fill_past_caches : fill, [] { write_blocks(1); });
+  compare(
+      state, processor_time, 1, [](const Part&) { sum_of_appendix(); }, [](const Part&) { sum_of_rings(); });
 }
 void ringing_ratio_written_to_level_by_level(benchmark::State& state) {
-  compare(state, level_by_level, [] { write_blocks(1); });
+  compare(
+      state, processor_time, 1, [](const Part&) { level_by_level(); },
+      [](const Part& p) { write_blocks(p, 1); });
+}
+constexpr int memory_parts = 64;
+void ringing_ratio_written_to_bandwidth(benchmark::State& state) {
+  compare(state, processor_time, memory_parts, fill_past_caches, [](const Part& p) { write_blocks(p, 1); });
+}
+void ringing_ratio_written_to_cached_bandwidth(benchmark::State& state) {
+  compare(state, processor_time, memory_parts, fill, [](const Part& p) { write_blocks(p, 1); });
+}
+void ringing_ratio_written_off_lines_to_bandwidth(benchmark::State& state) {
+  compare(state, processor_time, memory_parts, fill_past_caches,
+          [](const Part& p) { write_blocks(p, 1, Stores::past_caches, 2); });
 }
 void ringing_ratio_two_threads_summed(benchmark::State& state) {
-  compare(state, [] { sum_of_blocks(1); }, [] { sum_of_blocks(2); });
+  compare(state, wall_time, 1, [](const Part&) { sum_of_blocks(1); }, [](const Part&) { sum_of_blocks(2); });
 }
 void ringing_ratio_two_threads_written(benchmark::State& state) {
-  compare(state, [] { write_blocks(1); }, [] { write_blocks(2); });
+  compare(
+      state, wall_time, 1, [](const Part& p) { write_blocks(p, 1); },
+      [](const Part& p) { write_blocks(p, 2); });
 }
 
 void alone(benchmark::internal::Benchmark* b) { b->Unit(benchmark::kMillisecond)->UseRealTime(); }
@@ -214,11 +266,15 @@ BENCHMARK(ringing_rings_summed)->Apply(alone);
 BENCHMARK(ringing_level_by_level)->Apply(alone);
 BENCHMARK(ringing_blocks_summed)->Apply(on_threads);
 BENCHMARK(ringing_blocks_written)->Apply(on_threads);
-BENCHMARK(ringing_blocks_written_cached)->Apply(on_threads);
+BENCHMARK(ringing_blocks_written_in_caches)->Apply(on_threads);
 BENCHMARK(ringing_blocks_interleaved)->Apply(on_threads);
+BENCHMARK(ringing_three_points_at_depth_28)->Apply(alone);
+BENCHMARK(ringing_ten_million_points_at_depth_3)->Apply(alone);
 BENCHMARK(ringing_ratio_summed_to_appendix)->Apply(side_by_side);
 BENCHMARK(ringing_ratio_rings_to_appendix)->Apply(side_by_side);
 BENCHMARK(ringing_ratio_written_to_bandwidth)->Apply(side_by_side);
+BENCHMARK(ringing_ratio_written_to_cached_bandwidth)->Apply(side_by_side);
+BENCHMARK(ringing_ratio_written_off_lines_to_bandwidth)->Apply(side_by_side);
 BENCHMARK(ringing_ratio_written_to_level_by_level)->Apply(side_by_side);
 BENCHMARK(ringing_ratio_two_threads_summed)->Apply(side_by_side);
 BENCHMARK(ringing_ratio_two_threads_written)->Apply(side_by_side);
