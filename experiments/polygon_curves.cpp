@@ -17,7 +17,7 @@ const std::string disparity =
 const std::string pairs = "Share, over " + simple_polygons_text() + " and the levels 1 to 4, of those pairs ";
 const std::string iteration =
     "P <- P + (C - L P) from P = C until every limit point is within 1/1000 of its target, for polygons of "
-    "extents 60 to 200; counted in floating point with a proved bound on the rounding errors. ";
+    "longer sides 89 to 199; counted in floating point with a proved bound on the rounding errors. ";
 const std::string b2_distance =
     "The distances are those of the limit curves at the parameters i/64, every control point a unit apart "
     "and "
