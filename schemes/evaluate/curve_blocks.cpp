@@ -18,6 +18,8 @@ namespace {
 constexpr std::size_t points_at_once = 512;
 /// Points that a thread takes at once, about: the first blocks of every level cost little beside them.
 constexpr std::size_t points_of_chunk = std::size_t{1} << 17U;
+/// So that partial sums take constant memory.
+constexpr std::size_t most_partial_sums = 4096;
 /// From this output on the stores go past the caches.
 constexpr std::size_t large_output_bytes = std::size_t{1} << 24U;
 
@@ -328,7 +330,8 @@ template <class T>
 std::vector<double> CurveBlocks<T>::sum(int threads) const {
   // A chunk begins at a block, so that the blocks of a point, and its lane, are the same in any run.
   const std::size_t block_points = points_at_once_of(stages_);
-  const std::size_t chunk_points = std::max<std::size_t>(1, points_of_chunk / block_points) * block_points;
+  const std::size_t least_points = std::max(points_of_chunk, size_ / most_partial_sums);
+  const std::size_t chunk_points = (least_points + block_points - 1) / block_points * block_points;
   const std::size_t chunks = (size_ + chunk_points - 1) / chunk_points;
   constexpr std::size_t lanes = detail::sum_lanes<T>;
   std::vector<double> sums(chunks * dimension(), 0.0);
