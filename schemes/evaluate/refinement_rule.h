@@ -10,7 +10,7 @@
 namespace subdiv {
 
 /// The rule of one residue class r of a step: the refined point m q + r is the sum of weights[k]
-/// P_{q + first + k}.
+/// P_{q + first + k}; at least one weight, which may be 0.
 template <class R>
 struct RefinementRule {
   int first = 0;
@@ -25,7 +25,8 @@ std::vector<RefinementRule<R>> refinement_rules(const Mask<R>& mask) {
   std::vector<RefinementRule<R>> rules;
   for (int r = 0; r < mask.arity; ++r) {
     const Laurent<R> part = reverse(residue_class(mask.symbol, r, mask.arity));
-    rules.push_back({part.first(), part.coefficients()});
+    rules.push_back(part.is_zero() ? RefinementRule<R>{0, {R(0)}}
+                                   : RefinementRule<R>{part.first(), part.coefficients()});
   }
   return rules;
 }

@@ -131,6 +131,13 @@ TEST(Ringing, VectorsOfFloats) {
   EXPECT_NEAR((curve[0] - limit).norm(), 0, 1e-2);
 }
 
+TEST(Ringing, ResiduesWithoutCoefficientsGiveZero) {  // a(z) = 2: even points are doubled, odd ones are 0
+  const Scheme<Rational> scheme = stationary("even", Mask<Rational>{2, Laurent<Rational>(2)});
+  const ControlPolygon<Rational> controls = closed_polygon(powers(3));
+  EXPECT_EQ(by_ringing(scheme, controls, 1), (Rationals{2, 0, 4, 0, 8, 0}));
+  EXPECT_EQ(by_ringing(scheme, controls, 3), curve_points(refine_level_by_level(scheme, controls, 3)));
+}
+
 TEST(Ringing, NothingOfAnEmptyPolygon) {
   const ControlPolygon<double> controls = closed_polygon(std::vector<double>{});
   Ringing<double, double> rings(stationary("J", jspline(0.5)), controls, 3);
