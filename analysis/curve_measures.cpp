@@ -43,7 +43,7 @@ class Points {
   [[nodiscard]] std::size_t size() const { return size_; }
   [[nodiscard]] std::size_t dimension() const { return polyline_->coordinates.size(); }
   [[nodiscard]] double operator()(std::size_t coordinate, std::size_t i) const {
-    return polyline_->coordinates[coordinate][offset_ + (i < size_ ? i : i - size_)];
+    return polyline_->coordinates[coordinate][offset_ + i % size_];
   }
 
  private:

@@ -19,8 +19,8 @@ namespace subdiv {
 /// How an open curve of the points P_0 .. P_{n-1} ends (js-report 11; jsplines 9).
 /// clamped: the limit starts at P_0 with the tangent P_1 - P_0 (d/dt at unit spacing of control points), and
 /// ends at P_{n-1} with the tangent P_{n-1} - P_{n-2}.
-/// reflected: P_{-k} = 2 P_0 - P_k, and so at the other end; where the limit mask is symmetric the limit
-/// starts at P_0 and ends at P_{n-1}.
+/// reflected: P_{-k} = 2 P_0 - P_k, and so at the other end; masks symmetric about index 0 then make the
+/// limit start at P_0 and end at P_{n-1}.
 enum class OpenEnd { clamped, reflected };
 
 /// The points to add at both ends, as many as the curve depends on (vertex_reach). Element k - 1 of `start`
@@ -92,7 +92,22 @@ std::vector<Laurent<R>> clamped_points(const Laurent<R>& limit, const Laurent<R>
   if (auto points = nearest_to_reflected(conditions, count, reach)) return std::move(*points);
   throw InputError(
       "no points before the first one make the limit start there with the tangent of the first edge: the "
-      "limit and tangent masks contradict each other; choose reflected ends");
+      "limit and tangent masks contradict each other");
+}
+
+}  // namespace detail
+
+namespace detail {
+
+/// Throws InputError unless every mask is symmetric about index 0.
+template <class R>
+void require_symmetric(const Scheme<R>& scheme) {
+  for (const Mask<R>& step : scheme.steps) {
+    if (step.symbol == reverse(step.symbol)) continue;
+    throw InputError("reflected ends of " + scheme.name +
+                     ": a mask is not symmetric about index 0, so that the curve would not end at the last "
+                     "points; choose clamped ends");
+  }
 }
 
 }  // namespace detail
@@ -100,20 +115,23 @@ std::vector<Laurent<R>> clamped_points(const Laurent<R>& limit, const Laurent<R>
 /// The added points of a scheme over an exact field, by its own masks. Where the conditions of clamped ends
 /// leave a choice (J_s at s = 0 and s = 1), the points nearest to the reflected ones are taken; those beyond
 /// the second are reflected. Throws InputError where clamped ends do not exist: no limit or tangent mask, or
-/// masks that contradict each other.
+/// masks that contradict each other; and for reflected ends of masks that are not symmetric about index 0.
 template <ExactRing R>
 EndWeights<R> end_weights(const Scheme<R>& scheme, OpenEnd end) {
   const IndexWindow window = vertex_reach(scheme);
   const int before = -window.first;
   const int after = window.last;
-  if (end == OpenEnd::reflected) return {reflected_end<R>(before), reflected_end<R>(after)};
+  if (end == OpenEnd::reflected) {
+    detail::require_symmetric(scheme);
+    return {reflected_end<R>(before), reflected_end<R>(after)};
+  }
   try {
     const Laurent<R> limit = vertex_limit_mask(scheme);
     const Laurent<R> tangent = vertex_tangent_mask(scheme);
     return {detail::clamped_points(limit, tangent, before),
             detail::clamped_points(mirrored(limit, 0), mirrored(tangent, 1), after)};
   } catch (const std::domain_error& error) {
-    throw InputError("clamped ends of " + scheme.name + ": " + error.what() + "; choose reflected ends");
+    throw InputError("clamped ends of " + scheme.name + ": " + error.what());
   }
 }
 

@@ -133,7 +133,8 @@ std::vector<ClaimHead> make_heads() {
           "popping.fixed.close", "jsplines", "12",
           "This result is useful when it is desired to produce a limit shape that is close to the control "
           "shape (in the Hausdorff distance sense)",
-          "The Hausdorff distance between the limit curve and its control polygon, in floating point. " +
+          "The Hausdorff distance between the limit curve, as a polygon through its points at i/64, and its "
+          "control polygon, in floating point. " +
               share_of + "for which that of *J_{3/8} is smaller than those of *J_0 and of *J_1."),
       tendency("vertex.tendency.rounded", "jsplines", "12",
                "{J_-33/26, *J_1.5} yields more rounded and hence aesthetically preferable results",

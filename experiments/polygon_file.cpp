@@ -1,10 +1,12 @@
 #include "experiments/polygon_file.h"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <fstream>
 #include <functional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -56,12 +58,17 @@ double parse_number<double>(std::string_view text) {
 /// Calls visit(line number, text) for every line that is neither blank nor a comment.
 void for_each_line(const fs::path& path, const std::function<void(std::size_t, std::string_view)>& visit) {
   std::error_code error;
-  if (!fs::is_regular_file(path, error)) (void)read_file(path);  // says why it cannot be read
+  if (!fs::exists(path, error) || fs::is_directory(path, error)) (void)read_file(path);  // says why it fails
+  if (!fs::is_regular_file(path, error))
+    throw InputError(path.string() + ": is no regular file; points are read from files on disk");
   std::ifstream stream(path, std::ios::binary);
   if (!stream) (void)read_file(path);
   std::string line;
   for (std::size_t number = 1; std::getline(stream, line); ++number) {
-    const std::string_view text = trimmed(line);
+    constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
+    std::string_view text = line;
+    if (number == 1 && text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
+    text = trimmed(text);
     if (!text.empty() && text.front() != '#') visit(number, text);
   }
   if (stream.bad()) throw InputError(path.string() + ": cannot be read to its end");
@@ -77,11 +84,16 @@ void split(std::string_view text, char separator, std::vector<std::string_view>&
   }
 }
 
-/// Whether a field of the first line is meant as a number, if not as one that can be used.
-bool looks_like_number(std::string_view text) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return error != std::errc::invalid_argument && (end == text.data() + text.size() || *end == '/');
+/// Whether the first line names the columns: different names, each beginning with a letter, and no "nan" or
+/// "inf", which is meant as a number.
+bool is_header(const std::vector<std::string_view>& fields) {
+  const auto is_name = [](std::string_view text) {
+    double value = 0;
+    return !text.empty() && std::isalpha(static_cast<unsigned char>(text.front())) != 0 &&
+           std::from_chars(text.data(), text.data() + text.size(), value).ec == std::errc::invalid_argument;
+  };
+  const std::set<std::string_view> different(fields.begin(), fields.end());
+  return different.size() == fields.size() && std::all_of(fields.begin(), fields.end(), is_name);
 }
 
 template <class T>
@@ -91,7 +103,7 @@ PointList<T> read_csv(const fs::path& path) {
   std::vector<std::string_view> fields;
   for_each_line(path, [&](std::size_t line, std::string_view text) {
     split(text, ',', fields);
-    const bool header = first && std::none_of(fields.begin(), fields.end(), looks_like_number);
+    const bool header = first && is_header(fields);
     if (first) list.coordinates.resize(fields.size());
     first = false;
     if (fields.size() != list.dimension()) {

@@ -285,7 +285,7 @@ class PolygonProblem {
       for (const CompiledFunction& f : compiled) total += std::sqrt(std::max(0.0, f.evaluate(x)));
       return total;
     };
-    return local_summary(sum, options_.starts);
+    return local_summary(sum, options_.starts, believed_decimals);
   }
 
   [[nodiscard]] Summary minimise_distance() const {
@@ -309,7 +309,11 @@ class PolygonProblem {
         return std::numeric_limits<double>::infinity();
       }
     };
-    return local_summary(distance, std::min(starts, options_.starts));
+    // The curve is a polygon of level 6, within about 1/10000 of its extent.
+    constexpr double relative_decimals = 3;
+    const int decimals = static_cast<int>(relative_decimals - std::floor(std::log10(length(controls))));
+    return local_summary(distance, std::min(starts, options_.starts),
+                         std::clamp(decimals, 0, believed_decimals));
   }
 
   /// The limit points of level 6, or of the level at which the last step has begun.
@@ -329,7 +333,7 @@ class PolygonProblem {
   }
 
   template <class Value>
-  [[nodiscard]] Summary local_summary(const Value& value, int starts) const {
+  [[nodiscard]] Summary local_summary(const Value& value, int starts, int decimals) const {
     for (std::size_t i = 0; i < box_.size(); ++i) {
       if (!(box_[i].lower < box_[i].upper))
         throw InputError(names_[i] + ": the range is empty; its lower end must be below its upper end");
@@ -344,8 +348,8 @@ class PolygonProblem {
     }
     summary.termination = Termination::local;
     for (const double x : found.front().x)
-      summary.minimiser.push_back(approximate(x, believed_decimals, summary.method));
-    summary.minimum = approximate(found.front().objective, believed_decimals, summary.method);
+      summary.minimiser.push_back(approximate(x, decimals, summary.method));
+    summary.minimum = approximate(found.front().objective, decimals, summary.method);
     summary.message = found.size() == 1
                           ? "all local searches end there; nothing is proved"
                           : fmt::format("the best of {} local minima; nothing is proved", found.size());

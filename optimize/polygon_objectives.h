@@ -45,7 +45,7 @@ struct PolygonObjective {
 /// coordinates[c][i] is coordinate c of point i of the closed polygon. The minimum is the objective itself
 /// (linf: the length). Termination::local: found by local searches from several starts, all approximate.
 /// Throws InputError when the scheme or the polygon lack what the objective needs: arity 2, a primal scheme,
-/// points in the plane and a non-zero area, limit masks; and when box and parameters do not match.
+/// points in the plane for areas, limit masks; and when box and parameters do not match.
 [[nodiscard]] Summary minimise_on_polygon(const Scheme<RationalFunction>& scheme,
                                           const PolygonObjective& objective, Norm norm,
                                           const std::vector<std::vector<Rational>>& coordinates,

@@ -26,6 +26,7 @@ struct Measures {
   std::optional<std::array<double, 3>> vector_area;  // of closed ones in space
   NormalJerk jerk;
   std::optional<Disparity> disparity;
+  bool primal = true;  // only then points of two levels belong to each other
 };
 
 Measures measures_of(const Polyline& polyline, int level) {
@@ -60,7 +61,7 @@ Json to_json(const Measures& m) {
   json["normal_jerk"] = {{"largest", fmt::format("{}", m.jerk.largest)},
                          {"mean", fmt::format("{}", m.jerk.mean)}};
   if (m.disparity) {
-    json["displacement"] = fmt::format("{}", m.disparity->displacement);
+    if (m.primal) json["displacement"] = fmt::format("{}", m.disparity->displacement);
     json["hausdorff"] = {{"lower", fmt::format("{}", m.disparity->hausdorff.lower)},
                          {"upper", fmt::format("{}", m.disparity->hausdorff.upper)}};
   }
@@ -88,7 +89,7 @@ void print_table(const std::vector<Measures>& all) {
               << padded(fmt::format("{:.8g}", m.jerk.largest), wide)
               << padded(fmt::format("{:.8g}", m.jerk.mean), wide);
     if (m.disparity) {
-      std::cout << padded(fmt::format("{:.8g}", m.disparity->displacement), wide)
+      std::cout << padded(m.primal ? fmt::format("{:.8g}", m.disparity->displacement) : "-", wide)
                 << fmt::format("[{:.8g}, {:.8g}]", m.disparity->hausdorff.lower,
                                m.disparity->hausdorff.upper);
     }
@@ -104,14 +105,19 @@ std::vector<Measures> measure_levels(const MeasureOptions& options, const PointL
   const Scheme<double> scheme = scheme_in_double(description);
   const Polyline controls = control_curve(points, options.open, description);
   constexpr std::size_t most = std::size_t{1} << 24U;  // every level is kept in memory
-  if (refined_points(controls.topology, scheme.arity(), options.levels) > most)
+  constexpr int deepest = 24;
+  if (options.levels > deepest || refined_points(controls.topology, scheme.arity(), options.levels) > most)
     throw InputError(
         fmt::format("--levels {}: more than {} points; measure fewer levels", options.levels, most));
   std::vector<Measures> all;
   for (int level = 0; level <= options.levels; ++level)
     all.push_back(measures_of(refine(scheme, controls, level), level));
   const std::vector<Disparity> between = disparities(scheme, controls, options.levels, tolerance);
-  for (std::size_t k = 0; k < between.size(); ++k) all[k + 1].disparity = between[k];
+  for (std::size_t k = 0; k < between.size(); ++k) {
+    all[k + 1].disparity = between[k];
+    all[k + 1].primal = std::ranges::all_of(
+        scheme.steps, [](const Mask<double>& step) { return step.symbol == reverse(step.symbol); });
+  }
   return all;
 }
 
@@ -121,6 +127,10 @@ int measure(const MeasureOptions& options) {
   if (options.open == "plain" && !options.scheme.empty())
     throw InputError("--open plain has no ends to refine: choose clamped or reflected with --scheme");
   const PointList<double> points = read_points<double>(options.input);
+  if (points.closed.has_value() && *points.closed != options.open.empty()) {
+    throw InputError(options.input + (*points.closed ? ": its line element is closed; leave --open out"
+                                                     : ": its line element is open; say --open plain"));
+  }
   const double tolerance =
       options.tolerance > 0 ? options.tolerance : default_tolerance(plain(points, options.open.empty()));
   const std::vector<Measures> all = measure_levels(options, points, tolerance);

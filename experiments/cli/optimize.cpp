@@ -53,6 +53,7 @@ Json to_json(const Enclosure& value) {
 struct Question {
   std::string objective;
   Problem problem;
+  bool one_number = false;  // whose norms are all its absolute value
 };
 
 Json summary_json(const OptimizeOptions& options, const Question& asked, const Summary& summary) {
@@ -105,7 +106,8 @@ void print(const OptimizeOptions& options, const Question& asked, const Summary&
     print_line("minimiser", question.names[i] + " = " + value_line(summary.minimiser[i]));
   }
   if (!summary.minimiser.empty()) {
-    print_line(question.norm == Norm::l2 ? "sum of squares" : "minimum", value_line(summary.minimum));
+    const bool squares = question.norm == Norm::l2 && !asked.one_number;
+    print_line(squares ? "sum of squares" : "minimum", value_line(summary.minimum));
   }
   if (summary.zeros.size() > 1) {
     for (const Enclosure& zero : summary.zeros)
@@ -151,6 +153,7 @@ Summary minimise_curve(const OptimizeOptions& options, const SchemeDescription& 
                      "whose line element returns to its first point");
   }
   asked.objective = to_string(objective);
+  asked.one_number = objective.kind == PolygonObjective::Kind::area;
   return minimise_on_polygon(symbolic_scheme(description), objective, asked.problem.norm, points.coordinates,
                              asked.problem.box, asked.problem.names);
 }
@@ -163,7 +166,8 @@ int optimize(const OptimizeOptions& options) {
                  {.residuals = {},
                   .norm = options.norm.empty() ? Norm::linf : parse_norm(options.norm),
                   .box = parse_box(options.over, description.free_parameters),
-                  .names = description.free_parameters}};
+                  .names = description.free_parameters},
+                 false};
   const Summary summary = options.polygon.empty() ? minimise_scheme(options, description, asked)
                                                   : minimise_curve(options, description, asked);
   if (summary.termination == Termination::pole_in_box) {

@@ -49,6 +49,17 @@ void require_count(const std::vector<Topology>& directions, int arity, int level
                               : "the control points alone are too many"));
 }
 
+/// What rounding lets the iteration reach: 1e-12 of the longest side of the box around the points.
+double small_part(const Curve& curve) {
+  constexpr double part = 1e-12;
+  double extent = 0;
+  for (const std::vector<double>& c : curve.coordinates) {
+    const auto [low, high] = std::minmax_element(c.begin(), c.end());
+    extent = std::max({extent, *high - *low, std::abs(*high), std::abs(*low)});
+  }
+  return extent > 0 ? extent * part : part;
+}
+
 Curve retrofitted(const Curve& target, const SchemeDescription& scheme, const std::string& how) {
   if (!target.topology.closed)
     throw InputError("--retrofit is for closed curves; open ones meet their end points by --open clamped");
@@ -60,7 +71,7 @@ Curve retrofitted(const Curve& target, const SchemeDescription& scheme, const st
     }
   }();
   try {
-    return how == "iteration" ? retrofit_by_iteration(mask, target).polygon
+    return how == "iteration" ? retrofit_by_iteration(mask, target, {.tolerance = small_part(target)}).polygon
                               : retrofit_directly(mask, target).polygon;
   } catch (const InputError& error) {
     throw InputError("--retrofit " + how + ": " + error.what());
@@ -140,6 +151,12 @@ void refine_curve(const RefineOptions& options, const SchemeDescription& descrip
     if (done > options.levels) {
       throw InputError(options.details +
                        fmt::format(": a detail of level {}; --levels is {}", done, options.levels));
+    }
+    constexpr std::size_t most = std::size_t{1} << 24U;  // the levels down to the last detail are kept
+    if (refined_points(controls.topology, arity, done) > most) {
+      throw InputError(options.details + fmt::format(": a detail of level {}, which has more than {} points; "
+                                                     "details belong to coarser levels",
+                                                     done, most));
     }
     try {
       controls = with_details(controls, scheme_in_double(description), records, done);

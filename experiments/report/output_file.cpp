@@ -15,26 +15,56 @@
 namespace subdiv {
 namespace {
 
+namespace fs = std::filesystem;
+
 constexpr std::size_t buffer_size = std::size_t{1} << 20U;
+
+/// Files there are devices or stand for streams: they are written, never replaced.
+bool in_system_folder(const fs::path& path) {
+  const std::string text = path.string();
+  return text.starts_with("/dev/") || text.starts_with("/proc/");
+}
 
 }  // namespace
 
 OutputFile::OutputFile(std::filesystem::path target) : target_(std::move(target)) {
-  namespace fs = std::filesystem;
   std::error_code ignored;  // a target that does not exist yet is the usual one
+  if (fs::is_symlink(target_, ignored)) resolve_links();
   const fs::file_status status = fs::status(target_, ignored);
-  if (target_ == "-") {
+  if (target_ == "-" || target_ == "/dev/stdout") {
     file_ = dup(STDOUT_FILENO);
-  } else if (fs::is_character_file(status) || fs::is_fifo(status)) {
+  } else if (fs::is_character_file(status) || fs::is_fifo(status) || in_system_folder(target_)) {
     file_ = open(target_.c_str(), O_WRONLY | O_CLOEXEC);
   } else if (fs::is_directory(status)) {
     reject(EISDIR);
   } else {
-    temporary_ = (target_.parent_path() / (".subdivlab-" + target_.filename().string() + "-XXXXXX")).string();
-    file_ = mkstemp(temporary_.data());
-    if (file_ < 0) temporary_.clear();
+    open_temporary(fs::is_regular_file(status));
   }
   if (file_ < 0) reject(errno);
+}
+
+/// The file that a link leads to is written, not the link; /dev/stdout stays what it says.
+void OutputFile::resolve_links() {
+  if (in_system_folder(target_)) return;
+  std::error_code error;
+  const fs::path resolved = fs::weakly_canonical(target_, error);
+  if (!error) target_ = resolved;
+}
+
+/// A new file beside the target, with the target's permissions or those that new files have.
+void OutputFile::open_temporary(bool replaces) {
+  constexpr int attempts = 1000;
+  constexpr mode_t new_file = 0666;  // less the user's mask
+  errno = EEXIST;
+  for (int i = 0; file_ < 0 && errno == EEXIST && i < attempts; ++i) {
+    const std::string name = ".subdivlab-" + std::to_string(getpid()) + "-" + std::to_string(i);
+    temporary_ = (target_.parent_path() / name).string();
+    file_ = open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, new_file);
+  }
+  struct stat old{};
+  const bool known = file_ >= 0 && replaces && stat(target_.c_str(), &old) == 0;
+  if (known && fchmod(file_, old.st_mode) != 0) reject(errno);
+  if (file_ < 0) temporary_.clear();
 }
 
 OutputFile::OutputFile(OutputFile&& other) noexcept
@@ -65,9 +95,7 @@ void OutputFile::flush() {
 void OutputFile::close() {
   if (file_ < 0) return;
   flush();
-  constexpr mode_t readable_by_all = 0644;
-  const bool kept = temporary_.empty() || (fchmod(file_, readable_by_all) == 0 && fsync(file_) == 0);
-  if (!kept) reject(errno);
+  if (!temporary_.empty() && fsync(file_) != 0) reject(errno);
   if (::close(std::exchange(file_, -1)) != 0) reject(errno);
 }
 

@@ -27,6 +27,8 @@ class OutputFile {
   void finish();
 
  private:
+  void resolve_links();
+  void open_temporary(bool replaces);
   void flush();
   [[noreturn]] void reject(int error) const;
 

@@ -95,6 +95,12 @@ TEST(CurveMeasures, NormalJerk) {
   EXPECT_DOUBLE_EQ(both.mean, (2 + std::abs(jerks[1]) + std::abs(jerks[2])) / 4);
 }
 
+TEST(CurveMeasures, JerkOfTheSmallestLoops) {
+  // Two points: A = D = neighbours on the line, -A + 3B - 3C + D is along BC. One point: all are equal.
+  EXPECT_EQ(normal_jerk(make_polyline({{0, 4}, {0, 3}}, true)).largest, 0);
+  EXPECT_EQ(normal_jerk(make_polyline({{2}, {7}}, true)).largest, 0);
+}
+
 TEST(CurveMeasures, DisplacementFromLinearRefinement) {
   const Polyline square = closed({{0, 8, 8, 0}, {0, 0, 8, 8}});
   // J_0 keeps vertices and moves mid-edge points out by 1/8 of (0, 8): the third neighbours' bulge.

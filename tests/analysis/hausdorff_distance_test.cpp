@@ -56,6 +56,17 @@ TEST(HausdorffDistance, AnyDimension) {
   expect_encloses(directed_hausdorff_distance(open(a), open(b), tolerance), std::sqrt(5 - 144.0 / 44));
 }
 
+TEST(HausdorffDistance, BeyondTheThirdCoordinate) {
+  // The nearest edge in the first three coordinates is far in the fourth: (0,0,0,0) to (1,0,0,0), not to
+  // (0,0,0,9).
+  const std::vector<std::vector<double>> a{{0}, {0}, {0}, {0}};
+  const std::vector<std::vector<double>> b{{0, 1}, {0, 0}, {0, 0}, {9, 0}};
+  // The edge from (0,0,0,9) to (1,0,0,0) is 9/sqrt(82) away from the origin.
+  expect_encloses(directed_hausdorff_distance(open(a), open(b), tolerance), 9 / std::sqrt(82.0));
+  const std::vector<std::vector<double>> c{{0, 0, 1, 1}, {0, 0, 0, 0}, {0, 0, 0, 0}, {9, 8, 8, 0}};
+  expect_encloses(directed_hausdorff_distance(open(a), open(c), tolerance), 1);
+}
+
 TEST(HausdorffDistance, AnySize) {
   for (const double size : {1e-300, 1e-150, 1e150, 1e300}) {
     const Polyline small = closed({{-size, size, size, -size}, {-size, -size, size, size}});

@@ -127,6 +127,7 @@ TEST(OpenPolygon, AlgebraicAndInexactParameters) {
 TEST(OpenPolygon, RefusesWhatHasNoSuchEnds) {
   // t = 0 lies midway between two control points, and one added point cannot do two things.
   EXPECT_THROW(ends_of("bspline:degree=2"), InputError);
+  EXPECT_THROW(ends_of("bspline:degree=2", OpenEnd::reflected), InputError);
   // The hat function has no tangent at its vertices.
   EXPECT_THROW(ends_of("bspline:degree=1"), InputError);
   const EndWeights<Rational> hat = ends_of("bspline:degree=1", OpenEnd::reflected);

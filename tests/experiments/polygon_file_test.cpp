@@ -32,7 +32,10 @@ class PolygonFileTest : public ::testing::Test {
 };
 
 TEST_F(PolygonFileTest, CsvWithAndWithoutHeader) {
-  for (const char* text : {"x,y\n1,2\n-3/4, 5e-1\n", "# points\n1,2\r\n\n-0.75,1/2", "1,2\n-.75,.5\n"}) {
+  for (const char* text : {"\xef\xbb\xbfx,y\n+1,+2\n-3/4,1/2\n",
+                           "\xef\xbb\xbf"
+                           "1,2\n-3/4,1/2\n",
+                           "x,y\n1,2\n-3/4, 5e-1\n", "# points\n1,2\r\n\n-0.75,1/2", "1,2\n-.75,.5\n"}) {
     const auto points = read_points<Rational>(file("p.csv", text));
     ASSERT_EQ(points.dimension(), 2U);
     EXPECT_EQ(points.coordinates[0], (std::vector<Rational>{1, Rational(-3, 4)}));
@@ -61,6 +64,8 @@ TEST_F(PolygonFileTest, WhatIsWrongIsNamedWithItsLine) {
   rejects("p.csv", "x,y\n1,2\n3,\n", {"p.csv:3", "coordinate 2"});
   rejects("p.csv", "1,2\n3,four\n", {"p.csv:2", "coordinate 2", "four"});
   rejects("p.csv", "1,2\nnan,1\n", {"p.csv:2", "coordinate 1", "nan"});
+  for (const char* line : {"O,O\n1,2\n", "0x1,0x2\n1,2\n", "-.5.1,+2\n1,2\n", "x,3\n1,2\n"})
+    rejects("p.csv", line, {"p.csv:1", "coordinate 1"});
   rejects("p.csv", "nan,-inf\n1,2\n", {"p.csv:1", "coordinate 1", "nan"});
   rejects("p.csv", "1,2\n1,-inf\n", {"p.csv:2", "coordinate 2", "inf"});
   rejects("p.csv", "1,2\n1,1/0\n", {"p.csv:2", "coordinate 2"});

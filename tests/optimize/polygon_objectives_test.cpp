@@ -128,6 +128,14 @@ TEST(PolygonObjectives, AreaOfSquaresByHand) {
   EXPECT_EQ(none.minimiser[0].exact, "1");
 }
 
+TEST(PolygonObjectives, AreaThatCannotBeKeptMissesByTheDifference) {
+  // A square of side 2: the area of *J_s falls from s = 1, where it is that of the cubic B-spline.
+  const Coordinates square = coordinates({{0, 0}, {2, 0}, {2, 2}, {0, 2}});
+  const Summary s = best(family_s(), "area", Norm::linf, square, {{q(1), q(4)}});
+  const double limit = area(curve(doubles({{0, 0}, {2, 0}, {2, 2}, {0, 2}}), 1, 1, 1, 9));
+  EXPECT_NEAR(value(s.minimum), 4 - limit, 1e-4);
+}
+
 TEST(PolygonObjectives, AreaOverTwoParametersIsACurve) {
   const Summary rs =
       best(family_rs(), "area", Norm::linf, coordinates(heptagon), {{q(-1), q(1)}, {q(0), q(2)}});

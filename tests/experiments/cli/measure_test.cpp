@@ -66,8 +66,9 @@ TEST_F(
     EXPECT_LE(number(linear["levels"][k]["hausdorff"]["upper"]), 1e-5);
     EXPECT_EQ(number(linear["levels"][k]["area"]), 16);
   }
-  const Json cubic = json({"square.csv", "--scheme", "bspline:degree=1", "--levels", "1"});
-  EXPECT_EQ(cubic["levels"].size(), 2U);
+  const Json dual = json({"square.csv", "--scheme", "bspline:degree=2", "--levels", "1"});
+  EXPECT_FALSE(dual["levels"][1].contains("displacement")) << "points of its levels do not belong together";
+  EXPECT_TRUE(dual["levels"][1].contains("hausdorff"));
 }
 
 TEST_F(Measure, DistanceBetweenPolygons) {
@@ -92,6 +93,9 @@ TEST_F(Measure, BadInputEndsWith2) {
   rejects({"square.csv", "--against", "space.csv"}, {"space.csv", "3"});
   rejects({"square.csv", "--scheme", "jspline:s=1", "--levels", "40"}, {"--levels 40"});
   rejects({"square.csv", "--tolerance", "0"}, {"--tolerance"});
+  rejects({"square.csv", "--scheme", "jspline:s=1", "--levels", "62"}, {"--levels 62"});
+  file("open.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nl 1 2 3\n");
+  rejects({"open.obj"}, {"open.obj", "--open plain"});
 }
 
 }  // namespace

@@ -102,6 +102,7 @@ TEST_F(Refine, OpenCurvesRunFromEndToEnd) {  // js-report 11
     EXPECT_NEAR(slope, 3, 0.02) << "along P_1 - P_0";
   }
   rejects({"jspline:s=1", "path.csv", "-k", "1", "--open", "pinned", "-o", "x.csv"}, {"--open", "clamped"});
+  rejects({"bspline:degree=2", "path.csv", "-k", "1", "--open", "reflected", "-o", "x.csv"}, {"symmetric"});
   file("short.csv", "0,0\n1,3\n");
   rejects({"jspline:s=3/2", "short.csv", "-k", "1", "--open", "clamped", "-o", "x.csv"}, {"at least 3", "2"});
 }
@@ -135,6 +136,15 @@ TEST_F(Refine, RetrofittedCurvesPassThroughThePoints) {
       {"--retrofit", "closed"});
 }
 
+TEST_F(Refine, RetrofittingFollowsTheExtent) {
+  for (const char* side : {"1e-10", "1e8"}) {
+    const double length = std::stod(side);
+    file("square.csv", std::string("0,0\n") + side + ",0\n" + side + "," + side + "\n0," + side + "\n");
+    done({"jspline:s=3/2", "square.csv", "-k", "0", "--retrofit", "iteration", "--limit", "-o", "limit.csv"});
+    EXPECT_NEAR(points("limit.csv").coordinates[0][1] / length, 1, 1e-10) << side;
+  }
+}
+
 TEST_F(Refine, DetailsMovePointsAtTheirLevels) {
   file("square.csv", square);
   file("details.csv", "level,index,dx,dy\n0,1,4,0\n1,3,0,1\n");
@@ -142,12 +152,21 @@ TEST_F(Refine, DetailsMovePointsAtTheirLevels) {
   const PointList<double> curve = points("curve.csv");
   EXPECT_EQ(curve.coordinates[0][4], 8);
   EXPECT_EQ(curve.coordinates[1][6], 3);
+  // The steps behind the last detail are those of the scheme: {J_{0,1}, B_0}, the second doubles points.
+  file("first.csv", "1,0,1,0\n");
+  done({"jspline:a=0,b=1+bspline:degree=0", "square.csv", "-k", "2", "--details", "first.csv", "-o",
+        "curve.csv"});
+  EXPECT_EQ(points("curve.csv").coordinates[0],
+            (std::vector<double>{1, 1, 2, 2, 4, 4, 4, 4, 4, 4, 2, 2, 0, 0, 0, 0}));
   file("bad.csv", "3,1,4,0\n");
   rejects({"jspline:s=1", "square.csv", "-k", "2", "--details", "bad.csv", "-o", "x.csv"},
           {"level 3", "--levels"});
   file("bad.csv", "1,8,4,0\n");
   rejects({"jspline:s=1", "square.csv", "-k", "2", "--details", "bad.csv", "-o", "x.csv"},
           {"bad.csv", "8 points"});
+  file("bad.csv", "25,1,4,4\n");
+  rejects({"jspline:s=1", "square.csv", "-k", "26", "--details", "bad.csv", "-o", "x.csv"},
+          {"bad.csv", "level 25"});
   file("bad.csv", "1,1,4\n");
   rejects({"jspline:s=1", "square.csv", "-k", "2", "--details", "bad.csv", "-o", "x.csv"},
           {"bad.csv", "expected 4"});

@@ -62,6 +62,33 @@ TEST(OutputFile, DevicesAreWrittenDirectly) {
   EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
 }
 
+TEST(OutputFile, LinksLeadToTheFileThatIsWritten) {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "curve.csv";
+  const auto link = folder.path() / "link.csv";
+  std::filesystem::create_symlink(path, link);
+  OutputFile file(link);
+  file.write("text");
+  file.finish();
+  EXPECT_TRUE(std::filesystem::is_symlink(link));
+  EXPECT_EQ(read_file(path), "text");
+}
+
+TEST(OutputFile, AReplacedFileKeepsItsPermissions) {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "curve.csv";
+  constexpr auto owner_only = std::filesystem::perms::owner_read | std::filesystem::perms::owner_write;
+  for (const char* text : {"first", "second"}) {
+    OutputFile file(path);
+    file.write(text);
+    file.finish();
+    std::filesystem::permissions(path, owner_only);
+  }
+  OutputFile file(path);
+  file.finish();
+  EXPECT_EQ(std::filesystem::status(path).permissions(), owner_only);
+}
+
 TEST(OutputFile, WhatCannotBeWrittenIsNamed) {
   const TemporaryFolder folder;
   testing::expect_input_error([&] { OutputFile file(folder.path() / "absent" / "curve.csv"); },
