@@ -7,6 +7,7 @@
 
 #include "experiments/data.h"
 #include "tests/experiments/find_claim.h"
+#include "tests/plane_loop.h"
 
 namespace subdiv {
 namespace {
@@ -19,54 +20,29 @@ const Results& results() {
 const Claim& found(const std::string& id) { return test::find_claim(results().claims, id); }
 double value(const std::string& id) { return test::value_of(results().claims, id); }
 
-using Loop = std::vector<std::pair<double, double>>;
+using Loop = test::Points;
+using test::area;
+using test::refined;
 
 Loop stored(const std::string& file) {
   Loop loop;
-  for (const auto& [x, y] : polygon_from_data(file)) loop.emplace_back(x.to_double(), y.to_double());
+  for (const auto& [x, y] : polygon_from_data(file)) loop.push_back({x.to_double(), y.to_double()});
   return loop;
 }
 
-/// One step of J_{a,b} straight from js-report 1.
-Loop refine(const Loop& p, double a, double b) {
-  const std::size_t n = p.size();
-  Loop fine;
-  for (std::size_t j = 0; j < n; ++j) {
-    const auto at = [&](std::size_t k, auto member) { return p[(j + k + n - 1) % n].*member; };
-    const auto even = [&](auto m) { return (a * at(0, m) + (8 - 2 * a) * at(1, m) + a * at(2, m)) / 8; };
-    const auto odd = [&](auto m) {
-      return ((b - 1) * (at(0, m) + at(3, m)) + (9 - b) * (at(1, m) + at(2, m))) / 16;
-    };
-    using Point = std::pair<double, double>;
-    fine.emplace_back(even(&Point::first), even(&Point::second));
-    fine.emplace_back(odd(&Point::first), odd(&Point::second));
-  }
-  return fine;
-}
-
 /// J_{0,1}: mid-edge points inserted.
-Loop linear(const Loop& p) { return refine(p, 0.0, 1.0); }
+Loop linear(const Loop& p) { return refined(p, 0.0, 1.0); }
 
 Loop refine_often(Loop p, double s, int depth) {
-  for (int k = 0; k < depth; ++k) p = refine(p, s, s);
+  for (int k = 0; k < depth; ++k) p = refined(p, s, s);
   return p;
-}
-
-double area(const Loop& p) {
-  double sum = 0;
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    const auto& next = p[(i + 1) % p.size()];
-    sum += p[i].first * next.second - p[i].second * next.first;
-  }
-  return sum / 2;
 }
 
 double largest_squared(const Loop& p, const Loop& other, std::size_t stride = 1, std::size_t offset = 0) {
   double largest = 0;
   for (std::size_t i = 0; i < other.size(); ++i) {
     const auto& at = p[(i * stride + offset) % p.size()];
-    largest =
-        std::max(largest, std::pow(at.first - other[i].first, 2) + std::pow(at.second - other[i].second, 2));
+    largest = std::max(largest, std::pow(at[0] - other[i][0], 2) + std::pow(at[1] - other[i][1], 2));
   }
   return largest;
 }
@@ -75,7 +51,7 @@ Loop mid_edges(const Loop& p) {
   Loop middles;
   for (std::size_t i = 0; i < p.size(); ++i) {
     const auto& next = p[(i + 1) % p.size()];
-    middles.emplace_back((p[i].first + next.first) / 2, (p[i].second + next.second) / 2);
+    middles.push_back({(p[i][0] + next[0]) / 2, (p[i][1] + next[1]) / 2});
   }
   return middles;
 }
@@ -97,7 +73,7 @@ TEST(CurveFigures, AreasByRefinementInDoubles) {
                 area(refine_often(shape, s, 6)) / area(shape), 1e-12);
   const Loop heptagon = stored("area-witness.csv");
   EXPECT_NEAR(value("figure.area"),
-              area(refine_often(refine(heptagon, -0.0053, 1.0276), 0.4666, 5)) / area(heptagon), 1e-12);
+              area(refine_often(refined(heptagon, -0.0053, 1.0276), 0.4666, 5)) / area(heptagon), 1e-12);
 }
 
 // Fourteen levels down the points are limit points to 1e-6: no limit mask is used.
@@ -106,17 +82,16 @@ TEST(CurveFigures, DistancesOfLimitsByDeepRefinement) {
   constexpr std::size_t stride = std::size_t{1} << depth;
   const Loop shape = stored("figure-shape.csv");
   const double near =
-      largest_squared(refine_often(refine(shape, -33.0 / 26, -33.0 / 26), 1.5, depth - 1), shape, stride);
+      largest_squared(refine_often(refined(shape, -33.0 / 26, -33.0 / 26), 1.5, depth - 1), shape, stride);
   EXPECT_NEAR(value("figure.anticipation"),
               near / largest_squared(refine_often(shape, 1.5, depth), shape, stride), 1e-6);
   const Loop middles = mid_edges(shape);
   double edge = 0;
   for (std::size_t i = 0; i < shape.size(); ++i) {
     const auto& next = shape[(i + 1) % shape.size()];
-    edge =
-        std::max(edge, std::pow(next.first - shape[i].first, 2) + std::pow(next.second - shape[i].second, 2));
+    edge = std::max(edge, std::pow(next[0] - shape[i][0], 2) + std::pow(next[1] - shape[i][1], 2));
   }
-  const double with_r = largest_squared(refine_often(refine(shape, 29.0 / 59, 29.0 / 59), 1.5, depth - 1),
+  const double with_r = largest_squared(refine_often(refined(shape, 29.0 / 59, 29.0 / 59), 1.5, depth - 1),
                                         middles, stride, stride / 2);
   EXPECT_NEAR(value("figure.mid-edges.r"), with_r / edge, 1e-9);
   EXPECT_NEAR(value("figure.mid-edges.s"),
@@ -133,15 +108,12 @@ TEST(CurveFigures, DistanceFromTheQuadraticByItsClosedForm) {  // (1/2 - t)^2/2,
   for (std::size_t i = 0; i < n * samples; ++i) {
     const std::size_t middle = (i + samples / 2) / samples;  // the vertex whose parameter is nearest
     const double t = static_cast<double>(i) / samples - static_cast<double>(middle);
-    const auto blend = [&](auto m) {
-      return std::pow(0.5 - t, 2) / 2 * (shape[(middle + n - 1) % n].*m) +
-             (0.75 - t * t) * (shape[middle % n].*m) +
-             std::pow(0.5 + t, 2) / 2 * (shape[(middle + 1) % n].*m);
+    const auto blend = [&](std::size_t c) {
+      return std::pow(0.5 - t, 2) / 2 * shape[(middle + n - 1) % n][c] +
+             (0.75 - t * t) * shape[middle % n][c] + std::pow(0.5 + t, 2) / 2 * shape[(middle + 1) % n][c];
     };
-    using Point = std::pair<double, double>;
     const auto& at = curve[i << static_cast<unsigned>(depth - 5)];
-    largest = std::max(largest, std::pow(at.first - blend(&Point::first), 2) +
-                                    std::pow(at.second - blend(&Point::second), 2));
+    largest = std::max(largest, std::pow(at[0] - blend(0), 2) + std::pow(at[1] - blend(1), 2));
   }
   EXPECT_NEAR(value("figure.bsplines.quadratic"), largest, 1e-6);
 }
@@ -160,8 +132,8 @@ TEST(CurveFigures,
         for (std::size_t l = 0; l < n; ++l) {
           const double c =
               std::cos(w * (static_cast<double>(i) - static_cast<double>(l))) / static_cast<double>(n);
-          error[i].first += c * std::pow(response, iterations + 1) * shape[l].first;
-          error[i].second += c * std::pow(response, iterations + 1) * shape[l].second;
+          error[i][0] += c * std::pow(response, iterations + 1) * shape[l][0];
+          error[i][1] += c * std::pow(response, iterations + 1) * shape[l][1];
         }
       }
     }

@@ -12,6 +12,7 @@
 #include "experiments/simple_polygons.h"
 #include "tests/experiments/find_claim.h"
 #include "tests/experiments/polygon_rule.h"
+#include "tests/plane_loop.h"
 
 namespace subdiv {
 namespace {
@@ -20,7 +21,9 @@ using test::find_claim;
 using test::find_series;
 using test::value_of;
 
-using Points = std::vector<std::array<double, 2>>;
+using test::area;
+using test::Points;
+using test::refined;
 
 std::vector<Points> family() {
   std::vector<Points> result;
@@ -32,34 +35,10 @@ std::vector<Points> family() {
   return result;
 }
 
-/// One step of J_{a,b} on a closed polygon, from the stencils of jsplines 1.
-Points refined(const Points& p, double a, double b) {
-  const std::size_t n = p.size();
-  Points fine(2 * n);
-  for (std::size_t i = 0; i < n; ++i) {
-    const auto at = [&](std::size_t k, std::size_t c) { return p[(i + n + k - 1) % n][c]; };
-    for (const std::size_t c : {0U, 1U}) {
-      fine[2 * i][c] = (a * at(0, c) + (8 - 2 * a) * at(1, c) + a * at(2, c)) / 8;
-      fine[2 * i + 1][c] =
-          ((b - 1) * at(0, c) + (9 - b) * at(1, c) + (9 - b) * at(2, c) + (b - 1) * at(3, c)) / 16;
-    }
-  }
-  return fine;
-}
-
 /// {J_r, *J_s}, `depth` steps in all.
 Points curve(Points p, double r, double s, int depth) {
   for (int k = 0; k < depth; ++k) p = k == 0 ? refined(p, r, r) : refined(p, s, s);
   return p;
-}
-
-double area(const Points& p) {
-  double sum = 0;
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    const auto& q = p[(i + 1) % p.size()];
-    sum += p[i][0] * q[1] - p[i][1] * q[0];
-  }
-  return sum / 2;
 }
 
 double area_error(const Points& p, double r, double s) {

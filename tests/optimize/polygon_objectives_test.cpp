@@ -10,12 +10,15 @@
 #include "schemes/bspline.h"
 #include "schemes/input_error.h"
 #include "schemes/jspline.h"
+#include "tests/plane_loop.h"
 
 namespace subdiv {
 namespace {
 
 using F = RationalFunction;
-using Points = std::vector<std::array<double, 2>>;
+using test::area;
+using test::Points;
+using test::refined;
 
 const F x0 = F::variable(0);
 const F x1 = F::variable(1);
@@ -53,20 +56,6 @@ Summary best(const Scheme<F>& scheme, const std::string& objective, Norm norm, c
                              names);
 }
 
-Points refined(const Points& p, double a, double b) {
-  const std::size_t n = p.size();
-  Points fine(2 * n);
-  for (std::size_t i = 0; i < n; ++i) {
-    const auto at = [&](std::size_t k, std::size_t c) { return p[(i + n + k - 1) % n][c]; };
-    for (const std::size_t c : {0U, 1U}) {
-      fine[2 * i][c] = (a * at(0, c) + (8 - 2 * a) * at(1, c) + a * at(2, c)) / 8;
-      fine[2 * i + 1][c] =
-          ((b - 1) * at(0, c) + (9 - b) * at(1, c) + (9 - b) * at(2, c) + (b - 1) * at(3, c)) / 16;
-    }
-  }
-  return fine;
-}
-
 Points doubles(const std::vector<std::array<long, 2>>& points) {
   Points result;
   for (const auto& [x, y] : points) result.push_back({static_cast<double>(x), static_cast<double>(y)});
@@ -77,15 +66,6 @@ Points doubles(const std::vector<std::array<long, 2>>& points) {
 Points curve(Points p, double a, double b, double s, int depth = 10) {
   for (int k = 0; k < depth; ++k) p = k == 0 ? refined(p, a, b) : refined(p, s, s);
   return p;
-}
-
-double area(const Points& p) {
-  double sum = 0;
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    const auto& next = p[(i + 1) % p.size()];
-    sum += p[i][0] * next[1] - p[i][1] * next[0];
-  }
-  return sum / 2;
 }
 
 double value(const Enclosure& x) { return x.midpoint().to_double(); }
