@@ -157,9 +157,9 @@ Retrofit retrofit_by_iteration(const Laurent<Interval>& limit_mask, const Polyli
                        shown(result.spectrum.rate) + " at worst; solve directly or allow more");
     }
     if (static_cast<double>(result.iterations) > bound + 1) {
-      throw InputError(
-          fmt::format("retrofitting: rounding keeps the limit points {:g} away, the tolerance is {:g}",
-                      result.residual, options.tolerance));
+      throw InputError(fmt::format(
+          "retrofitting: rounding keeps the limit points {:g} away; choose a larger tolerance than {:g}",
+          result.residual, options.tolerance));
     }
     for (std::size_t c = 0; c < current.size(); ++c) {
       for (std::size_t i = 0; i < n; ++i) current[c][i] += miss[c][i];

@@ -37,7 +37,7 @@ void prepare_folder(const fs::path& folder) {
   fs::create_directories(folder, error);
   if (error) reject(folder, "cannot be made: " + error.message());
   if (!fs::is_directory(folder, error)) reject(folder, "is no folder");
-  OutputFile(folder / "probe").close();
+  const OutputFile probe(folder / "probe");  // gone at once: an interrupt finds hardly a moment to leave it
 }
 
 void write_files(const std::vector<NewFile>& files, const std::vector<fs::path>& obsolete) {

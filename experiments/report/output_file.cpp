@@ -29,7 +29,7 @@ bool in_system_folder(const fs::path& path) {
 
 OutputFile::OutputFile(std::filesystem::path target) : target_(std::move(target)) {
   std::error_code ignored;  // a target that does not exist yet is the usual one
-  if (fs::is_symlink(target_, ignored)) resolve_links();
+  resolve_links();
   const fs::file_status status = fs::status(target_, ignored);
   if (target_ == "-" || target_ == "/dev/stdout") {
     file_ = dup(STDOUT_FILENO);
@@ -43,12 +43,13 @@ OutputFile::OutputFile(std::filesystem::path target) : target_(std::move(target)
   if (file_ < 0) reject(errno);
 }
 
-/// The file that a link leads to is written, not the link; /dev/stdout stays what it says.
+/// The file that a link leads to is written, whether it exists or not, and not the link; /dev/stdout stays
+/// what it says.
 void OutputFile::resolve_links() {
-  if (in_system_folder(target_)) return;
-  std::error_code error;
-  const fs::path resolved = fs::weakly_canonical(target_, error);
-  if (!error) target_ = resolved;
+  constexpr int most_links = 40;
+  std::error_code ignored;
+  for (int i = 0; i < most_links && !in_system_folder(target_) && fs::is_symlink(target_, ignored); ++i)
+    target_ = target_.parent_path() / fs::read_symlink(target_, ignored);
 }
 
 /// A new file beside the target, with the target's permissions or those that new files have.
@@ -63,7 +64,11 @@ void OutputFile::open_temporary(bool replaces) {
   }
   struct stat old{};
   const bool known = file_ >= 0 && replaces && stat(target_.c_str(), &old) == 0;
-  if (known && fchmod(file_, old.st_mode) != 0) reject(errno);
+  if (known && fchmod(file_, old.st_mode) != 0) {
+    const int error = errno;
+    unlink(temporary_.c_str());
+    reject(error);
+  }
   if (file_ < 0) temporary_.clear();
 }
 
