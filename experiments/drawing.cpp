@@ -71,8 +71,9 @@ void add_drawing(Results& results, const Drawing& drawing) {
   Figure figure{drawing.name, drawing.title, "", "", {}, ""};
   for (std::size_t p = 0; p < count; ++p) {
     const Panel& panel = drawing.panels[p];
-    const double right = static_cast<double>(p % columns) * width * (1 + gap);
-    const double up = -static_cast<double>(p / columns) * height * (1 + 3 * gap);
+    const std::size_t row = p / columns;
+    const double right = static_cast<double>(p - row * columns) * width * (1 + gap);
+    const double up = -static_cast<double>(row) * height * (1 + 3 * gap);
     for (std::size_t k = 0; k < panel.strokes.size(); ++k) {
       const Stroke& stroke = panel.strokes[k];
       const std::string name =
