@@ -31,15 +31,6 @@ std::vector<RefinementRule<R>> refinement_rules(const Mask<R>& mask) {
   return rules;
 }
 
-/// A window of coarse points around q = floor(i / m) from which all refined points with indices i + window
-/// follow, whatever the residue of i: that of the parent level, for rules applied from any place.
-template <class R>
-IndexWindow parent_window(const Mask<R>& mask, const IndexWindow& window) {
-  const int m = mask.arity;
-  return {-floor_divide(mask.symbol.last() - window.first, m),
-          floor_divide(m - 1 + window.last - mask.symbol.first(), m)};
-}
-
 namespace detail {
 
 /// The offsets from a vertex on which the offsets of a window depend, seen from the vertex one level below.
@@ -81,16 +72,21 @@ IndexWindow vertex_reach(const Scheme<R>& scheme, int depth) {
   return window;
 }
 
-/// The offsets of the points that a ring keeps: vertex_reach, and what a parent that is ahead of its child
-/// must still hold. [-2, 2] for J_{a,b}, the 5 points a level of js-report 12.
+/// The offsets of the points that a ring keeps: vertex_reach, and all that the rules read while the child
+/// moves from behind its parent up to it. [-2, 2] for J_{a,b}, the 5 points a level of js-report 12.
 template <class R>
 IndexWindow ring_window(const Scheme<R>& scheme) {
   const int m = scheme.arity();
   IndexWindow window = vertex_reach(scheme);
   for (IndexWindow before{1, 0}; !(before == window);) {
     before = window;
-    for (const Mask<R>& step : scheme.steps)
-      window.first = std::min(window.first, -floor_divide(step.symbol.last() - window.last + m - 1, m));
+    for (const Mask<R>& step : scheme.steps) {
+      const auto rules = refinement_rules(step);
+      for (int index = window.last - m + 1; index <= window.last; ++index) {
+        const auto& rule = rules[static_cast<std::size_t>(residue(index, m))];
+        window.first = std::min(window.first, floor_divide(index, m) + rule.first);
+      }
+    }
     window = detail::closed_window(scheme, window);
   }
   return window;

@@ -136,6 +136,7 @@ TEST(Ringing, ResiduesWithoutCoefficientsGiveZero) {  // a(z) = 2: even points a
   const ControlPolygon<Rational> controls = closed_polygon(powers(3));
   EXPECT_EQ(by_ringing(scheme, controls, 1), (Rationals{2, 0, 4, 0, 8, 0}));
   EXPECT_EQ(by_ringing(scheme, controls, 3), curve_points(refine_level_by_level(scheme, controls, 3)));
+  EXPECT_EQ(ring_window(scheme), (IndexWindow{-1, 0})) << "the rule of odd points reads the vertex before";
 }
 
 TEST(Ringing, NothingOfAnEmptyPolygon) {
