@@ -148,12 +148,14 @@ void add_footprint(Results& results) {
                                   "The trailing point of a ring is read only when rings are derived."));
 }
 
-/// The work of ringing on rationals: only the counters matter here.
-std::vector<std::size_t> work(int points, int depth) {
+/// The points that each level has computed when the first `spans` spans of a loop have been evaluated. Only
+/// the counters matter: all points are 1.
+std::vector<std::size_t> work(int points, int spans, int depth) {
   const ControlPolygon<Rational> controls =
       closed_polygon(std::vector<Rational>(static_cast<std::size_t>(points), Rational(1)));
   Ringing<Rational, Rational> rings(stationary("J", jspline(Rational(1, 2))), controls, depth);
-  while (!rings.done()) rings.advance();
+  const auto end = static_cast<long long>(refined_spacing(2, depth)) * spans;
+  while (rings.index() < end) rings.advance();
   std::vector<std::size_t> counts;
   for (std::size_t k = 0; k < rings.levels(); ++k) counts.push_back(rings.computed(k));
   return counts;
@@ -168,25 +170,13 @@ struct Shared {
   }
 };
 
-/// The first `spans` spans of a longer loop: counts of the levels at the moment their end is reached.
-std::vector<std::size_t> work_on_part(int spans, int depth) {
-  const ControlPolygon<Rational> controls =
-      closed_polygon(std::vector<Rational>(static_cast<std::size_t>(2 * spans), Rational(1)));
-  Ringing<Rational, Rational> rings(stationary("J", jspline(Rational(1, 2))), controls, depth);
-  const auto end = static_cast<long long>(refined_spacing(2, depth)) * spans;
-  while (rings.index() < end) rings.advance();
-  std::vector<std::size_t> counts;
-  for (std::size_t k = 0; k < rings.levels(); ++k) counts.push_back(rings.computed(k));
-  return counts;
-}
-
 void add_work(Results& results) {
   constexpr int most_refinements = 7;
   Shared inner;
   Shared last;
   for (const int n : {3, 5, 8}) {
     for (int depth = 1; depth <= most_refinements; ++depth) {
-      const std::vector<std::size_t> counts = work(n, depth);
+      const std::vector<std::size_t> counts = work(n, n, depth);
       for (int k = 0; k <= depth; ++k) {
         const long points = static_cast<long>(n) << k;
         (k < depth ? inner : last).require(static_cast<long>(counts[static_cast<std::size_t>(k)]) - points);
@@ -206,8 +196,8 @@ void add_work(Results& results) {
   constexpr int spans = 2;
   constexpr int factor = 8;
   constexpr int depth = 5;
-  const std::vector<std::size_t> part = work_on_part(spans, depth);
-  const std::vector<std::size_t> longer = work_on_part(factor * spans, depth);
+  const std::vector<std::size_t> part = work(2 * spans, spans, depth);
+  const std::vector<std::size_t> longer = work(2 * factor * spans, factor * spans, depth);
   bool once = true;
   for (int k = 0; k <= depth; ++k) {
     const auto level = static_cast<std::size_t>(k);

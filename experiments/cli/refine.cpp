@@ -97,10 +97,9 @@ Curve with_details(const Curve& controls, const Scheme<double>& scheme,
 /// The limit points of the vertices of a control polygon, as a polygon without added points.
 template <class R>
 Curve limits_of_vertices(const Curve& controls, const Scheme<R>& scheme) {
-  const Scheme<double> in_double = map_coefficients(scheme, [](const R& x) { return detail::rounded(x); });
   const Laurent<double> mask =
       map_coefficients(vertex_limit_mask(scheme), [](const R& x) { return detail::rounded(x); });
-  const std::size_t count = refined_points(controls.topology, in_double.arity(), 0);
+  const std::size_t count = refined_points(controls.topology, scheme.arity(), 0);
   Curve result{{count, controls.topology.closed, 0, 0}, {}};
   for (const std::vector<double>& coordinate : controls.coordinates) {
     const ControlPolygon<double> polygon{controls.topology, coordinate};

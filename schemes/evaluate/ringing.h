@@ -20,9 +20,8 @@ namespace subdiv {
 /// ring has passed a vertex of its parent, the parent moves on, so that c_k = ceil(c_{k+1} / m), and every
 /// ring that moves computes one point from its parent's. 5 points a level for J_{a,b} (ring_window).
 ///
-/// R is any ring with +, *: exact for rationals, enclosing for intervals. A point is R itself or a vector
-/// with
-/// + and multiplication by R from the left. Mixed and non-stationary schemes take step k at level k.
+/// R is any ring: exact for rationals, enclosing for intervals. A point is R itself or a vector that can be
+/// added and multiplied by R from the left. Mixed and non-stationary schemes take step k at level k.
 template <class R, class Point>
 class Ringing {
  public:
@@ -125,10 +124,12 @@ class Ringing {
 
   /// A point of a level is moved by its details.
   void add_details(std::size_t level, long long index, Point& point) const {
+    const auto details = details_.at_level(static_cast<int>(level));
+    if (details.empty()) return;
     const auto period =
         static_cast<long long>(refined_points(controls_->topology, arity_, static_cast<int>(level)));
     const long long place = controls_->topology.closed ? ((index % period) + period) % period : index;
-    Details<Point>::apply(details_.at_level(static_cast<int>(level)), place, point);
+    Details<Point>::apply(details, place, point);
   }
 
   void require_ends(const IndexWindow& reach) const {
