@@ -160,11 +160,6 @@ double bending(const Polyline& polyline) {
   return energy * length(polyline);
 }
 
-Polyline in_double(const PlanePolygon& polygon) {
-  auto values = coordinates<double>(polygon, rounded);
-  return make_polyline({std::move(values[0].points), std::move(values[1].points)}, true);
-}
-
 /// On how many polygons the first scheme has the smaller bending energy.
 int better_shaped(const Scheme<Rational>& first, const Scheme<Rational>& second) {
   constexpr int fine = 7;

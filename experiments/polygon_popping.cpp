@@ -91,15 +91,6 @@ Claim settle_levels(const std::string& id, const PerLevel<int>& count, Rigour ri
                       fmt::format("At levels 1 to {}: {} of {} polygons.", levels, text, polygons), rigour);
 }
 
-Polyline in_double(const PlanePolygon& polygon) {
-  const auto values = coordinates(polygon);
-  std::vector<std::vector<double>> result(2);
-  for (std::size_t c = 0; c < 2; ++c) {
-    for (const Rational& x : values[c]) result[c].push_back(x.to_double());
-  }
-  return make_polyline(std::move(result), true);
-}
-
 /// Hausdorff distances of consecutive levels of all polygons, up to an error that no comparison notices.
 std::vector<PerLevel<double>> hausdorff_disparities(double s) {
   constexpr double tolerance = 1e-7;

@@ -1,13 +1,12 @@
 #include "experiments/simple_polygons.h"
 
 #include <filesystem>
-#include <stdexcept>
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
 
-#include "experiments/report/csv.h"
-#include "experiments/report/files.h"
+#include "experiments/polygon_file.h"
 #include "schemes/input_error.h"
 
 namespace subdiv {
@@ -15,22 +14,18 @@ namespace {
 
 std::vector<PlanePolygon> read_family() {
   const std::filesystem::path path = std::filesystem::path(SUBDIVLAB_DATA_DIR) / "simple-polygons.csv";
-  const CsvRows rows = from_csv(read_file(path));
+  const PointList<Rational> points = read_points<Rational>(path);
+  if (points.dimension() != 3) throw InputError(path.string() + ": expected lines polygon,x,y");
   std::vector<PlanePolygon> family;
-  for (std::size_t i = 1; i < rows.size(); ++i) {
-    try {
-      if (rows[i].size() != 3) throw std::invalid_argument(fmt::format("it has {} columns", rows[i].size()));
-      const Rational number = Rational::parse(rows[i][0]);
-      if (number == Rational(static_cast<std::int64_t>(family.size()) + 1)) family.emplace_back();
-      if (family.empty() || number != Rational(static_cast<std::int64_t>(family.size())))
-        throw std::invalid_argument("polygon " + rows[i][0] + " is out of order");
-      family.back().emplace_back(Rational::parse(rows[i][1]), Rational::parse(rows[i][2]));
-    } catch (const std::invalid_argument& error) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Rational& number = points.coordinates[0][i];
+    if (number == Rational(static_cast<std::int64_t>(family.size()) + 1)) family.emplace_back();
+    if (family.empty() || number != Rational(static_cast<std::int64_t>(family.size()))) {
       throw InputError(
-          fmt::format("{}:{}: {}; a line holds polygon,x,y", path.string(), i + 1, error.what()));
+          fmt::format("{}: point {}: polygon {} is out of order", path.string(), i + 1, number.to_string()));
     }
+    family.back().emplace_back(points.coordinates[1][i], points.coordinates[2][i]);
   }
-  if (family.empty()) throw InputError(path.string() + ": no polygons");
   return family;
 }
 
@@ -39,6 +34,15 @@ std::vector<PlanePolygon> read_family() {
 const std::vector<PlanePolygon>& simple_polygons() {
   static const std::vector<PlanePolygon> family = read_family();
   return family;
+}
+
+Polyline in_double(const PlanePolygon& polygon) {
+  std::vector<std::vector<double>> coordinates(2);
+  for (const auto& [x, y] : polygon) {
+    coordinates[0].push_back(x.to_double());
+    coordinates[1].push_back(y.to_double());
+  }
+  return make_polyline(std::move(coordinates), true);
 }
 
 const std::string& simple_polygons_text() {

@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+#include "analysis/curve_measures.h"
 #include "experiments/claim.h"
 
 namespace subdiv {
@@ -14,6 +15,9 @@ using PlanePolygon = std::vector<std::pair<Rational, Rational>>;
 /// 12 vertices with integer coordinates, half of them star-shaped and half scattered (data/README.md gives
 /// the rule). Throws InputError that names the file where it is not as it should be.
 [[nodiscard]] const std::vector<PlanePolygon>& simple_polygons();
+
+/// A polygon's vertices rounded to double.
+[[nodiscard]] Polyline in_double(const PlanePolygon& polygon);
 
 /// How that family is named in definitions: "the 200 simple polygons of ..".
 [[nodiscard]] const std::string& simple_polygons_text();
