@@ -38,6 +38,7 @@ void qqbar_add(qqbar_t res, const qqbar_t x, const qqbar_t y);
 void qqbar_sub(qqbar_t res, const qqbar_t x, const qqbar_t y);
 void qqbar_mul(qqbar_t res, const qqbar_t x, const qqbar_t y);
 void qqbar_div(qqbar_t res, const qqbar_t x, const qqbar_t y);
+void qqbar_cos_pi(qqbar_t res, slong p, ulong q);
 void qqbar_root_ui(qqbar_t res, const qqbar_t x, ulong n);
 void qqbar_get_arb(arb_t res, const qqbar_t x, slong prec);
 void qqbar_get_quadratic(fmpz_t a, fmpz_t b, fmpz_t c, fmpz_t q, const qqbar_t x, int factoring);
