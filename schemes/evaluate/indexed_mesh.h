@@ -1,0 +1,30 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "schemes/mesh/mesh_scheme.h"
+#include "schemes/mesh/mesh_topology.h"
+
+namespace subdiv {
+
+using Point3 = std::array<double, 3>;
+
+/// Points and faces of one number of corners, ready to be written or drawn: face f has the corners
+/// corners[sides f] .. corners[sides f + sides - 1], counter-clockwise.
+struct IndexedMesh {
+  int sides = 4;
+  std::vector<Point3> points;
+  std::vector<int> corners;
+
+  [[nodiscard]] std::size_t faces() const { return corners.size() / static_cast<std::size_t>(sides); }
+};
+
+/// The control points after some levels >= 1 of a scheme. Vertices keep their numbers through all levels.
+/// Throws InputError for a scheme of triangles on a mesh with other faces (naming the first), and for more
+/// vertices or half-edges than an int counts.
+[[nodiscard]] IndexedMesh refine_mesh(const MeshTopology& mesh, const std::vector<Point3>& points,
+                                      const MeshScheme<double>& scheme, int levels, int threads = 1);
+
+}  // namespace subdiv
