@@ -9,6 +9,7 @@
 #include "schemes/four_point.h"
 #include "schemes/input_error.h"
 #include "schemes/jspline.h"
+#include "schemes/mesh/mesh_catalogue.h"
 #include "schemes/text.h"
 
 namespace subdiv {
@@ -139,6 +140,10 @@ const Family& find_family(std::string_view name) {
     known.push_back(family.name);
     known.insert(known.end(), family.aliases.begin(), family.aliases.end());
     if (std::find(known.begin(), known.end(), name) != known.end()) return family;
+  }
+  if (names_mesh_scheme(name)) {
+    throw InputError(in_quotes(name) + " is a scheme for meshes; the schemes for curves and grids are " +
+                     joined(known, "and"));
   }
   throw InputError("unknown scheme " + in_quotes(name) + suggestion(name, known) + " Known schemes: " +
                    joined(known, "and") + "; a scheme of your own is a file whose name ends in .json");

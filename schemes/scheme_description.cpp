@@ -15,30 +15,6 @@ namespace {
 
 constexpr std::string_view file_ending = ".json";
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
-/// Whether the '+' or '-' at i is the sign of a decimal's exponent, as in w=1e+3.
-bool is_exponent_sign(std::string_view text, std::size_t i) {
-  if (i < 2 || i + 1 >= text.size() || !is_digit(text[i + 1])) return false;
-  return (text[i - 1] == 'e' || text[i - 1] == 'E') && (is_digit(text[i - 2]) || text[i - 2] == '.');
-}
-
-/// The pieces between separators that stand outside parentheses.
-std::vector<std::string_view> split(std::string_view text, char separator) {
-  std::vector<std::string_view> pieces;
-  int depth = 0;
-  std::size_t start = 0;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] == '(') ++depth;
-    if (text[i] == ')') depth = std::max(0, depth - 1);
-    if (depth > 0 || text[i] != separator || is_exponent_sign(text, i)) continue;
-    pieces.push_back(trimmed(text.substr(start, i - start)));
-    start = i + 1;
-  }
-  pieces.push_back(trimmed(text.substr(start)));
-  return pieces;
-}
-
 /// Where a step's name ends: the first ".json" that a ':' or the end follows, else the first ':'.
 std::size_t name_length(std::string_view step) {
   for (std::size_t i = step.find(file_ending); i != std::string_view::npos;
@@ -47,33 +23,6 @@ std::size_t name_length(std::string_view step) {
     if (end == step.size() || step[end] == ':') return end;
   }
   return std::min(step.find(':'), step.size());
-}
-
-Argument parse_argument(std::string_view text) {
-  const std::size_t equals = text.find('=');
-  if (equals == std::string_view::npos) {
-    throw InputError(in_quotes(text) +
-                     " gives no value; write parameter=value, such as s=3/2, separated by commas");
-  }
-  const std::string name(trimmed(text.substr(0, equals)));
-  if (name.empty()) throw InputError(in_quotes(text) + " names no parameter before '='");
-  try {
-    return {name, Expression::parse(text.substr(equals + 1))};
-  } catch (const InputError& error) {
-    throw InputError("value of " + in_quotes(name) + ", " + error.what());
-  }
-}
-
-std::vector<Argument> parse_arguments(std::string_view text) {
-  std::vector<Argument> arguments;
-  for (const std::string_view piece : split(text, ',')) {
-    arguments.push_back(parse_argument(piece));
-    const auto same_name = [&](const Argument& a) { return a.name == arguments.back().name; };
-    if (std::count_if(arguments.begin(), arguments.end(), same_name) > 1) {
-      throw InputError("parameter " + in_quotes(arguments.back().name) + " is given twice");
-    }
-  }
-  return arguments;
 }
 
 std::optional<Expression> value_of(const std::vector<Argument>& arguments, const std::string& name) {
@@ -128,20 +77,6 @@ void complete_from_file(StepDescription& step, const std::vector<Argument>& give
   }
 }
 
-void add_free_names(const std::vector<Argument>& given, std::vector<std::string>& free_parameters) {
-  for (const Argument& argument : given) {
-    for (const std::string& name : argument.value.names()) {
-      if (std::find(free_parameters.begin(), free_parameters.end(), name) != free_parameters.end()) continue;
-      require_parameter_name(name, "value of " + argument.name);
-      free_parameters.push_back(name);
-    }
-  }
-  if (free_parameters.size() > static_cast<std::size_t>(max_free_parameters)) {
-    throw InputError("more than " + std::to_string(max_free_parameters) +
-                     " free parameters: " + joined(free_parameters, "and") + "; give some of them values");
-  }
-}
-
 StepDescription parse_step(std::string_view text, std::vector<std::string>& free_parameters) {
   const std::size_t end = name_length(text);
   const std::string_view name = trimmed(text.substr(0, end));
@@ -192,7 +127,7 @@ SchemeDescription parse_scheme(std::string_view text, const SchemeOptions& optio
   SchemeDescription scheme;
   scheme.text = inner;
   scheme.rounded = options.rounded;
-  const std::vector<std::string_view> pieces = split(inner, '+');
+  const std::vector<std::string_view> pieces = split_outside_parentheses(inner, '+');
   if (pieces.size() > most_steps) throw InputError("more than " + std::to_string(most_steps) + " steps");
   for (const std::string_view piece : pieces) {
     try {

@@ -5,17 +5,11 @@
 #include <string_view>
 #include <vector>
 
+#include "schemes/argument.h"
 #include "schemes/catalogue.h"
-#include "schemes/expression.h"
 #include "schemes/scheme_file.h"
 
 namespace subdiv {
-
-/// A parameter with the value given to it, unevaluated.
-struct Argument {
-  std::string name;
-  Expression value;
-};
 
 /// One step of a scheme as written: a family of the catalogue or a scheme file, with a value for every
 /// parameter.

@@ -9,6 +9,7 @@
 #include "optimize/objectives.h"
 #include "optimize/polygon_objectives.h"
 #include "schemes/catalogue.h"
+#include "schemes/mesh/mesh_catalogue.h"
 
 namespace subdiv::cli {
 namespace {
@@ -17,24 +18,36 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t page_width = 100;
 
+std::string faces_of(const MeshFamily& family) {
+  return family.split == MeshSplit::quads ? "quads" : "triangles";
+}
+
+void print_parameters(const std::vector<Parameter>& parameters) {
+  for (const Parameter& parameter : parameters) {
+    std::cout << "    " << padded(parameter.name, 8) << parameter.range() << ": " << parameter.meaning
+              << "\n";
+  }
+}
+
 void print_schemes() {
   for (const Family& family : catalogue()) {
     std::cout << family.name;
     for (const std::string& alias : family.aliases) std::cout << " (also " << alias << ")";
     std::cout << ": " << family.summary << "\n  " << usage(family) << "\n";
-    for (const FamilyForm& form : family.forms) {
-      for (const Parameter& parameter : form.parameters) {
-        std::cout << "    " << padded(parameter.name, 8) << parameter.range() << ": " << parameter.meaning
-                  << "\n";
-      }
-    }
+    for (const FamilyForm& form : family.forms) print_parameters(form.parameters);
+    std::cout << "  " << family.source << "\n";
+  }
+  for (const MeshFamily& family : mesh_catalogue()) {
+    std::cout << family.name << " (meshes of " << faces_of(family) << "): " << family.summary << "\n  "
+              << usage(family) << "\n";
+    print_parameters(family.parameters);
     std::cout << "  " << family.source << "\n";
   }
 }
 
-Json parameters_json(const FamilyForm& form) {
+Json parameters_json(const std::vector<Parameter>& parameters) {
   Json list = Json::array();
-  for (const Parameter& parameter : form.parameters) {
+  for (const Parameter& parameter : parameters) {
     list.push_back({{"name", parameter.name},
                     {"meaning", parameter.meaning},
                     {"range", parameter.range()},
@@ -47,12 +60,23 @@ Json schemes_json() {
   Json list = Json::array();
   for (const Family& family : catalogue()) {
     Json forms = Json::array();
-    for (const FamilyForm& form : family.forms) forms.push_back({{"parameters", parameters_json(form)}});
+    for (const FamilyForm& form : family.forms)
+      forms.push_back({{"parameters", parameters_json(form.parameters)}});
     list.push_back({{"name", family.name},
                     {"aliases", family.aliases},
+                    {"kind", "curve"},
                     {"summary", family.summary},
                     {"source", family.source},
                     {"forms", std::move(forms)}});
+  }
+  for (const MeshFamily& family : mesh_catalogue()) {
+    list.push_back({{"name", family.name},
+                    {"aliases", Json::array()},
+                    {"kind", "mesh"},
+                    {"faces", faces_of(family)},
+                    {"summary", family.summary},
+                    {"source", family.source},
+                    {"forms", {{{"parameters", parameters_json(family.parameters)}}}}});
   }
   return list;
 }
