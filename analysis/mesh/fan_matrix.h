@@ -66,10 +66,8 @@ FanMatrix<R> fan_matrix(const MeshScheme<R>& scheme, int valence, int rings) {
   result.spread = Vector<R>::Constant(places, R(0));
   result.pull = Vector<R>::Constant(places, R(0));
   result.blocks.assign(static_cast<std::size_t>(valence), zero_matrix<R>(places, places));
-  for_each_stencil(coarse, scheme, [&](int number, const Stencil<R>& stencil) {
-    const auto found = row.find(number);
-    if (found == row.end()) return;
-    const Eigen::Index i = found->second;
+  for (const auto& [number, i] : row) {
+    const Stencil<R> stencil = stencil_of(coarse, scheme, number);
     for (const auto& [vertex, weight] : stencil.terms()) {
       if (is_zero(weight)) continue;
       if (vertex == 0) {
@@ -85,7 +83,7 @@ FanMatrix<R> fan_matrix(const MeshScheme<R>& scheme, int valence, int rings) {
         result.spread(place) = weight;
       }
     }
-  });
+  }
   return result;
 }
 

@@ -34,6 +34,16 @@ void for_each_stencil(const MeshTopology& mesh, const MeshScheme<R>& scheme, Vis
   for (int f = 0; f < mesh.faces(); ++f) visit(number++, rules.face_rule(mesh, f));
 }
 
+/// One of these stencils alone.
+template <class R>
+Stencil<R> stencil_of(const MeshTopology& mesh, const MeshScheme<R>& scheme, int number) {
+  const MeshScheme<R> rules = rules_on(mesh, scheme);
+  if (number < mesh.vertices()) return rules.vertex_rule(mesh, number);
+  number -= mesh.vertices();
+  if (number < mesh.edges()) return rules.edge_rule(mesh, mesh.half_edge(number));
+  return rules.face_rule(mesh, number - mesh.edges());
+}
+
 /// The combination of points (arrays of coordinates) that a stencil says.
 template <class R, class T, std::size_t D>
 std::array<T, D> combine(const Stencil<R>& stencil, const std::vector<std::array<T, D>>& points) {
