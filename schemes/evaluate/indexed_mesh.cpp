@@ -1,34 +1,20 @@
 #include "schemes/evaluate/indexed_mesh.h"
 
-#include <fmt/format.h>
-
-#include <limits>
-
-#include "schemes/evaluate/refine_mesh.h"
-#include "schemes/input_error.h"
+#include <stdexcept>
 
 namespace subdiv {
 
 IndexedMesh refine_mesh(const MeshTopology& mesh, const std::vector<Point3>& points,
-                        const MeshScheme<double>& scheme, int levels, int /*threads*/) {
-  if (scheme.split == MeshSplit::triangles && mesh.sides() != 3) {
-    for (int f = 0; f < mesh.faces(); ++f) {
-      if (mesh.degree(f) == 3) continue;
-      throw InputError(fmt::format("face {} has {} corners: {} refines triangles only", f + 1, mesh.degree(f),
-                                   scheme.name));
-    }
-  }
-  MeshTopology topology = mesh;
+                        const MeshScheme<double>& scheme, int levels, int threads) {
+  const MeshRefinement refinement(mesh, scheme, levels);
+  if (refinement.sides() == 0)
+    throw std::invalid_argument("faces of one number of corners: at least one level");
   IndexedMesh result;
-  result.points = points;
-  for (int level = 0; level < levels; ++level) {
-    if (topology.half_edges() > std::numeric_limits<int>::max() / 4)
-      throw InputError("more corners than can be numbered: use fewer levels");
-    result.points = refined_points(topology, scheme, result.points);
-    topology = split(topology, scheme.split);
-  }
-  result.sides = topology.sides();
-  result.corners = topology.origins();
+  result.sides = refinement.sides();
+  result.points.resize(refinement.vertices());
+  refinement.points(points, result.points, threads);
+  result.corners.resize(refinement.faces() * static_cast<std::size_t>(result.sides));
+  refinement.corners(result.corners, threads);
   return result;
 }
 

@@ -1,15 +1,13 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <vector>
 
+#include "schemes/evaluate/mesh_refinement.h"
 #include "schemes/mesh/mesh_scheme.h"
 #include "schemes/mesh/mesh_topology.h"
 
 namespace subdiv {
-
-using Point3 = std::array<double, 3>;
 
 /// Points and faces of one number of corners, ready to be written or drawn: face f has the corners
 /// corners[sides f] .. corners[sides f + sides - 1], counter-clockwise.

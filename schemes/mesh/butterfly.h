@@ -16,13 +16,14 @@ MeshScheme<R> butterfly() {
   scheme.name = "butterfly";
   scheme.split = MeshSplit::triangles;
   scheme.reach = 2;
+  scheme.sight = 2;
   scheme.vertex_rule = [](const MeshTopology& /*mesh*/, int v) { return Stencil<R>(v); };
   scheme.edge_rule = [](const MeshTopology& mesh, int h) {
     Stencil<R> result;
-    const R wing = fraction<R>(-1, 16);
+    const R wing = ratio<R>(-1, 16);
     if (mesh.opposite(h) < 0) {
-      result.add(mesh.origin(h), fraction<R>(9, 16));
-      result.add(mesh.target(h), fraction<R>(9, 16));
+      result.add(mesh.origin(h), ratio<R>(9, 16));
+      result.add(mesh.target(h), ratio<R>(9, 16));
       // The border runs on with the border edge that leaves the target, and comes in at the origin. A corner
       // (a vertex of one face) ends it: there the point beyond is the mirror image.
       const auto beyond = [&](int corner, int inner, int neighbour) {
@@ -37,10 +38,10 @@ MeshScheme<R> butterfly() {
       beyond(mesh.origin(h), mesh.target(h), neighbours(mesh, mesh.origin(h)).back());
       return result;
     }
-    result.add(mesh.origin(h), fraction<R>(1, 2));
-    result.add(mesh.target(h), fraction<R>(1, 2));
+    result.add(mesh.origin(h), ratio<R>(1, 2));
+    result.add(mesh.target(h), ratio<R>(1, 2));
     for (const int side : {h, mesh.opposite(h)}) {
-      result.add(mesh.origin(mesh.previous(side)), fraction<R>(1, 8));
+      result.add(mesh.origin(mesh.previous(side)), ratio<R>(1, 8));
       for (const int leg : {mesh.next(side), mesh.previous(side)}) {
         const int o = mesh.opposite(leg);
         if (o >= 0) {

@@ -4,20 +4,18 @@
 
 namespace subdiv {
 
-/// The centroid of a face.
+/// result += factor times the centroid of a face.
 template <class R>
-Stencil<R> face_centroid(const MeshTopology& mesh, int face) {
-  Stencil<R> result;
-  const R share = fraction<R>(1, mesh.degree(face));
+void add_face_centroid(Stencil<R>& result, const MeshTopology& mesh, int face, const R& factor) {
+  const R share = factor * ratio<R>(1, mesh.degree(face));
   for (int i = 0; i < mesh.degree(face); ++i) result.add(mesh.origin(mesh.first(face) + i), share);
-  return result;
 }
 
 template <class R>
 Stencil<R> edge_midpoint(const MeshTopology& mesh, int half_edge) {
   Stencil<R> result;
-  result.add(mesh.origin(half_edge), fraction<R>(1, 2));
-  result.add(mesh.target(half_edge), fraction<R>(1, 2));
+  result.add(mesh.origin(half_edge), ratio<R>(1, 2));
+  result.add(mesh.target(half_edge), ratio<R>(1, 2));
   return result;
 }
 
@@ -27,9 +25,9 @@ Stencil<R> cubic_border_vertex(const MeshTopology& mesh, int vertex) {
   if (mesh.outgoing(vertex) < 0 || mesh.face_count(vertex) == 1) return Stencil<R>(vertex);
   const std::vector<int> around = neighbours(mesh, vertex);
   Stencil<R> result;
-  result.add(vertex, fraction<R>(3, 4));
-  result.add(around.front(), fraction<R>(1, 8));
-  result.add(around.back(), fraction<R>(1, 8));
+  result.add(vertex, ratio<R>(3, 4));
+  result.add(around.front(), ratio<R>(1, 8));
+  result.add(around.back(), ratio<R>(1, 8));
   return result;
 }
 
@@ -44,26 +42,29 @@ MeshScheme<R> catmull_clark() {
   scheme.name = "catmull-clark";
   scheme.split = MeshSplit::quads;
   scheme.reach = 1;
-  scheme.face_rule = face_centroid<R>;
+  scheme.face_rule = [](const MeshTopology& mesh, int face) {
+    Stencil<R> result;
+    add_face_centroid(result, mesh, face, R(1));
+    return result;
+  };
   scheme.edge_rule = [](const MeshTopology& mesh, int h) {
     Stencil<R> result = edge_midpoint<R>(mesh, h);
-    if (mesh.opposite(h) < 0) return result;
-    const R quarter = fraction<R>(1, 4);
-    Stencil<R> inner;
-    inner.add(result, fraction<R>(1, 2));
-    inner.add(face_centroid<R>(mesh, mesh.face(h)), quarter);
-    inner.add(face_centroid<R>(mesh, mesh.face(mesh.opposite(h))), quarter);
-    return inner;
+    const int o = mesh.opposite(h);
+    if (o < 0) return result;
+    result.add(mesh.origin(h), ratio<R>(-1, 4));
+    result.add(mesh.target(h), ratio<R>(-1, 4));
+    add_face_centroid(result, mesh, mesh.face(h), ratio<R>(1, 4));
+    add_face_centroid(result, mesh, mesh.face(o), ratio<R>(1, 4));
+    return result;
   };
   scheme.vertex_rule = [](const MeshTopology& mesh, int v) {
     if (mesh.is_border(v)) return cubic_border_vertex<R>(mesh, v);
-    const int n = mesh.valence(v);
-    const R share = fraction<R>(1, n) * fraction<R>(1, n);
+    const long n = mesh.valence(v);
     Stencil<R> result;
-    result.add(v, fraction<R>(n - 3, n));
+    result.add(v, ratio<R>(n - 2, n));
     for_each_outgoing(mesh, v, [&](int h) {
-      result.add(face_centroid<R>(mesh, mesh.face(h)), share);
-      result.add(edge_midpoint<R>(mesh, h), R(2) * share);
+      result.add(mesh.target(h), ratio<R>(1, n * n));
+      add_face_centroid(result, mesh, mesh.face(h), ratio<R>(1, n * n));
     });
     return result;
   };

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "schemes/mesh/straight_walk.h"
+
 namespace subdiv {
 namespace {
 
@@ -97,19 +99,6 @@ std::optional<std::vector<int>> fan_vertices(const MeshTopology& mesh, int spoke
     if (place != vertex || (inner && (mesh.is_border(vertex) || mesh.valence(vertex) != regular)))
       regular_so_far = false;
   };
-  // The half-edge along the lower side of the next cell in the row, and of the cell above; -1 past the
-  // border.
-  const auto right_of = [&](int h) {
-    const int across = mesh.opposite(mesh.next(h));
-    if (sides == 4 || across < 0) return across < 0 ? -1 : mesh.next(across);
-    const int beyond = mesh.opposite(mesh.next(across));
-    return beyond < 0 ? -1 : mesh.next(beyond);
-  };
-  const auto above = [&](int h) {
-    const int across = sides == 4 ? mesh.next(h) : mesh.opposite(mesh.next(h));
-    if (across < 0) return -1;
-    return mesh.opposite(sides == 4 ? mesh.next(across) : mesh.previous(across));
-  };
   const auto has_cell = [&](int a, int b) {
     return numbers.contains(a + 1, b) && numbers.contains(a, b + 1);
   };
@@ -117,10 +106,10 @@ std::optional<std::vector<int>> fan_vertices(const MeshTopology& mesh, int spoke
   int first = spoke;
   for (int sector = 0; sector < mesh.valence(centre); ++sector, first = mesh.turn_left(first)) {
     int left = first;
-    for (int b = 0; has_cell(0, b); ++b, left = above(left)) {
+    for (int b = 0; has_cell(0, b); ++b, left = cell_above(mesh, left)) {
       if (left < 0) return std::nullopt;
       int h = left;  // from (a, b) to (a + 1, b)
-      for (int a = 0; has_cell(a, b); ++a, h = right_of(h)) {
+      for (int a = 0; has_cell(a, b); ++a, h = cell_to_the_right(mesh, h)) {
         if (h < 0) return std::nullopt;
         set(sector, a, b, mesh.origin(h));
         set(sector, a + 1, b, mesh.target(h));

@@ -15,8 +15,8 @@ namespace subdiv {
 template <class R>
 struct OddRule {
   explicit OddRule(const R& s)
-      : inner((R(9) - s) * fraction<R>(1, 16)),
-        outer((s - R(1)) * fraction<R>(1, 16)),
+      : inner((R(9) - s) * ratio<R>(1, 16)),
+        outer((s - R(1)) * ratio<R>(1, 16)),
         diagonal((R(1) - s) / (R(9) - s)) {}
   R inner;
   R outer;
@@ -39,7 +39,7 @@ Stencil<R> point_beyond(const MeshTopology& mesh, int h, const R& g) {
   }
   const int n = mesh.valence(p);
   if (n == 4) return Stencil<R>(mesh.target(mesh.turn_left(mesh.turn_left(h))));
-  const R share = fraction<R>(4, n);
+  const R share = ratio<R>(4, n);
   const R diagonal_share = R(0) - share * g;
   int spoke = h;
   for (int j = 0; j < n; ++j, spoke = mesh.turn_left(spoke)) {
@@ -77,7 +77,7 @@ inline int across(const MeshTopology& mesh, int h) { return mesh.next(mesh.next(
 /// regular vertices; near irregular ones the two may differ, and eigenvalues do not change by the average.
 template <class R>
 Stencil<R> odd_face_point(const MeshTopology& mesh, int face, const OddRule<R>& rule) {
-  const R half = fraction<R>(1, 2);
+  const R half = ratio<R>(1, 2);
   Stencil<R> result;
   const auto add_side = [&](int h) {  // an edge, and the parallel one in the face beyond
     const Stencil<R> edge = odd_point(mesh, h, rule);
@@ -99,17 +99,21 @@ Stencil<R> odd_face_point(const MeshTopology& mesh, int face, const OddRule<R>& 
 /// linear in s, is jspline_mesh_literal). Edges: the odd point E along the edge, moved by the even rule
 /// across: E + (s/8)(E_left - 2 E + E_right). Faces: odd_face_point. Vertices of valence n:
 ///   V + (4/n) (((1 - s/4)^2 - 1) V + (s/2)(1 - s/4) A + (s^2/16) B),
-/// A and B the means of the edge and of the diagonal neighbours. Borders: by two added layers of faces.
-/// s = 9 is excluded (the virtual points have a pole: RingTraits' division by zero).
+/// A and B the means of the edge and of the diagonal neighbours. Borders: two layers of faces are added
+/// beyond them. s = 9 is excluded (the virtual points have a pole: RingTraits' division by zero).
 template <class R>
 MeshScheme<R> jspline_mesh(const R& s) {
   const OddRule<R> rule(s);
-  const R eighth = s * fraction<R>(1, 8);
+  const R eighth = s * ratio<R>(1, 8);
   MeshScheme<R> scheme;
   scheme.name = "jspline-mesh";
   scheme.split = MeshSplit::quads;
   scheme.reach = 2;
-  scheme.border_layers = 2;
+  scheme.sight = 3;
+  // The clamped ends of curves (J-splines, section 9), line by line.
+  const R half = ratio<R>(1, 2);
+  scheme.border_rules = {{(R(9) - s) * half * half, (s - R(3)) * half, (R(1) - s) * half * half},
+                         {(R(12) - s) * half, s - R(8), (R(6) - s) * half}};
   scheme.face_rule = [rule](const MeshTopology& mesh, int f) { return odd_face_point(mesh, f, rule); };
   scheme.edge_rule = [rule, eighth](const MeshTopology& mesh, int h) {
     Stencil<R> result = odd_point(mesh, h, rule);
@@ -134,10 +138,10 @@ MeshScheme<R> jspline_mesh(const R& s) {
       return result;
     }
     const int n = mesh.valence(v);
-    const R share = fraction<R>(4, n);
+    const R share = ratio<R>(4, n);
     result.add(v, share * (centre * centre - R(1)));
-    const R edge = fraction<R>(16, static_cast<long>(n) * n) * eighth * centre;
-    const R diagonal = fraction<R>(16, static_cast<long>(n) * n) * eighth * eighth;
+    const R edge = ratio<R>(16, static_cast<long>(n) * n) * eighth * centre;
+    const R diagonal = ratio<R>(16, static_cast<long>(n) * n) * eighth * eighth;
     for_each_outgoing(mesh, v, [&](int h) {
       result.add(mesh.target(h), edge);
       result.add(mesh.target(mesh.next(h)), diagonal);
@@ -161,6 +165,7 @@ template <class R>
 MeshScheme<R> jspline_mesh_literal(const R& s) {
   MeshScheme<R> scheme = jspline_mesh(R(0));
   scheme.name = "jspline-mesh-literal";
+  scheme.border_rules = jspline_mesh(s).border_rules;
   const auto blend = [s](auto interpolating, auto spline) {
     return [s, interpolating, spline](const MeshTopology& mesh, int element) {
       Stencil<R> result;

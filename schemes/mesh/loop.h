@@ -19,10 +19,10 @@ MeshScheme<R> loop_with_weight(const char* name, Weight weight) {
     const int o = mesh.opposite(h);
     if (o < 0) return edge_midpoint<R>(mesh, h);
     Stencil<R> result;
-    result.add(mesh.origin(h), fraction<R>(3, 8));
-    result.add(mesh.target(h), fraction<R>(3, 8));
-    result.add(mesh.origin(mesh.previous(h)), fraction<R>(1, 8));
-    result.add(mesh.origin(mesh.previous(o)), fraction<R>(1, 8));
+    result.add(mesh.origin(h), ratio<R>(3, 8));
+    result.add(mesh.target(h), ratio<R>(3, 8));
+    result.add(mesh.origin(mesh.previous(h)), ratio<R>(1, 8));
+    result.add(mesh.origin(mesh.previous(o)), ratio<R>(1, 8));
     return result;
   };
   scheme.vertex_rule = [weight](const MeshTopology& mesh, int v) {
@@ -31,7 +31,7 @@ MeshScheme<R> loop_with_weight(const char* name, Weight weight) {
     const R all = weight(n);
     Stencil<R> result;
     result.add(v, R(1) - all);
-    for_each_outgoing(mesh, v, [&](int h) { result.add(mesh.target(h), all * fraction<R>(1, n)); });
+    for_each_outgoing(mesh, v, [&](int h) { result.add(mesh.target(h), all * ratio<R>(1, n)); });
     return result;
   };
   return scheme;
@@ -43,14 +43,13 @@ MeshScheme<R> loop_with_weight(const char* name, Weight weight) {
 /// n keeps 5/8, its neighbours share 3/8; at valence 3 they get 3/16 each. Borders are cubic B-splines.
 template <class R>
 MeshScheme<R> loop() {
-  return detail::loop_with_weight<R>("loop",
-                                     [](int n) { return n == 3 ? fraction<R>(9, 16) : fraction<R>(3, 8); });
+  return detail::loop_with_weight<R>("loop", [](int n) { return n == 3 ? ratio<R>(9, 16) : ratio<R>(3, 8); });
 }
 
 /// The same without the exception at valence 3.
 template <class R>
 MeshScheme<R> loop_without_exception() {
-  return detail::loop_with_weight<R>("loop-without-exception", [](int /*n*/) { return fraction<R>(3, 8); });
+  return detail::loop_with_weight<R>("loop-without-exception", [](int /*n*/) { return ratio<R>(3, 8); });
 }
 
 /// Loop's own weights (Loop: Smooth subdivision surfaces based on triangles, 1987): the neighbours share
@@ -58,8 +57,8 @@ MeshScheme<R> loop_without_exception() {
 template <class R>
 MeshScheme<R> loop_1987() {
   return detail::loop_with_weight<R>("loop-1987", [](int n) {
-    const R root = fraction<R>(3, 8) + fraction<R>(1, 4) * cosine_of_turn<R>(1, n);
-    return fraction<R>(5, 8) - root * root;
+    const R root = ratio<R>(3, 8) + ratio<R>(1, 4) * cosine_of_turn<R>(1, n);
+    return ratio<R>(5, 8) - root * root;
   });
 }
 

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <array>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "schemes/mesh/mesh_topology.h"
 #include "schemes/mesh/stencil.h"
@@ -24,9 +26,14 @@ struct MeshScheme {
   /// In regular regions the descendants of a face depend on the corners of the faces up to `reach` rings
   /// around it (1: the face and those that share a corner with it): 1 for cubic splines, 2 for J_s.
   int reach = 1;
-  /// The layers of added faces beyond a border on which the rules rely: 0 when they treat the border
-  /// themselves (schemes/mesh/border_layers.h adds them).
-  int border_layers = 0;
+  /// The rings of faces that the rules look at to find those corners: one more where they go straight on
+  /// through vertices at the rim.
+  int sight = 1;
+  /// How the border continues outwards, for rules that rely on layers of faces beyond it
+  /// (schemes/mesh/border_layers.h adds them): layer k + 1 has the points w_0 P_0 + w_1 P_1 + w_2 P_2 with
+  /// w = border_rules[k], P_0 on the border and P_1, P_2 on the line inwards. None when the rules treat the
+  /// border themselves.
+  std::vector<std::array<R, 3>> border_rules;
   std::function<Stencil<R>(const MeshTopology&, int vertex)> vertex_rule;
   std::function<Stencil<R>(const MeshTopology&, int half_edge)> edge_rule;
   std::function<Stencil<R>(const MeshTopology&, int face)> face_rule;  // none for triangles

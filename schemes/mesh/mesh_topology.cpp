@@ -239,7 +239,7 @@ MeshTopology::MeshTopology(const PolygonFaces& faces) {
     sides_ = f == 0 || sides_ == degree ? degree : 0;
     if (sides_ == 0) break;
   }
-  if (sides_ == 0) {
+  if (has_arrays()) {
     begin_.assign(faces.begin.begin(), faces.begin.end());
     for (std::size_t f = 0; f < faces.faces(); ++f)
       face_.insert(face_.end(), faces.face(f).size(), static_cast<int>(f));

@@ -47,13 +47,14 @@ class MeshTopology {
   MeshTopology() = default;
   /// Throws InputError with the first fault.
   explicit MeshTopology(const PolygonFaces& faces);
-  /// Faces of `sides` corners each, known to be a surface: the origin and the opposite of every half-edge.
+  /// Triangles (sides = 3) or quads (4), known to be a surface: the origin and the opposite of every
+  /// half-edge.
   MeshTopology(int sides, int vertices, std::vector<int> origin, std::vector<int> opposite);
 
   [[nodiscard]] int vertices() const { return vertices_; }
   [[nodiscard]] int edges() const { return edges_; }
   [[nodiscard]] int faces() const {
-    return sides_ > 0 ? half_edges() / sides_ : static_cast<int>(begin_.size()) - 1;
+    return has_arrays() ? static_cast<int>(begin_.size()) - 1 : half_edges() / sides_;
   }
   [[nodiscard]] int half_edges() const { return static_cast<int>(origin_.size()); }
   /// The number of corners of every face; 0 when it differs from face to face. 4 for a mesh without faces
@@ -64,17 +65,21 @@ class MeshTopology {
   [[nodiscard]] bool is_closed() const { return closed_; }
 
   [[nodiscard]] int first(int face) const {
-    return sides_ > 0 ? sides_ * face : begin_[static_cast<std::size_t>(face)];
+    if (sides_ == quad) return quad * face;
+    return sides_ == triangle ? triangle * face : begin_[static_cast<std::size_t>(face)];
   }
   [[nodiscard]] int degree(int face) const { return sides_ > 0 ? sides_ : first(face + 1) - first(face); }
-  [[nodiscard]] int face(int h) const { return sides_ > 0 ? h / sides_ : face_[static_cast<std::size_t>(h)]; }
+  [[nodiscard]] int face(int h) const {
+    if (sides_ == quad) return h / quad;
+    return sides_ == triangle ? h / triangle : face_[static_cast<std::size_t>(h)];
+  }
   [[nodiscard]] int next(int h) const {
-    const int begin = first(face(h));
-    return h + 1 < begin + degree(face(h)) ? h + 1 : begin;
+    const int f = face(h);
+    return h + 1 < first(f) + degree(f) ? h + 1 : first(f);
   }
   [[nodiscard]] int previous(int h) const {
-    const int begin = first(face(h));
-    return h > begin ? h - 1 : begin + degree(face(h)) - 1;
+    const int f = face(h);
+    return h > first(f) ? h - 1 : first(f) + degree(f) - 1;
   }
   [[nodiscard]] int origin(int h) const { return origin_[static_cast<std::size_t>(h)]; }
   [[nodiscard]] int target(int h) const { return origin(next(h)); }
@@ -106,14 +111,18 @@ class MeshTopology {
   [[nodiscard]] const std::vector<int>& opposites() const { return opposite_; }
 
  private:
+  // Of these, the faces' numbers follow from the half-edges': by far the most frequent meshes.
+  static constexpr int triangle = 3;
+  static constexpr int quad = 4;
+  [[nodiscard]] bool has_arrays() const { return sides_ != triangle && sides_ != quad; }
   void number_edges_and_vertices();
 
-  int sides_ = 4;
+  int sides_ = quad;
   int vertices_ = 0;
   int edges_ = 0;
   bool closed_ = true;
-  std::vector<int> begin_{0};  // of each face, and one more; only where degrees differ
-  std::vector<int> face_;      // of each half-edge; only where degrees differ
+  std::vector<int> begin_{0};  // of each face, and one more; unless all are triangles or quads
+  std::vector<int> face_;      // of each half-edge; likewise
   std::vector<int> origin_;
   std::vector<int> opposite_;
   std::vector<int> edge_;

@@ -1,17 +1,32 @@
 #pragma once
 
+#include <cstddef>
+#include <type_traits>
 #include <utility>
-#include <vector>
+#include <boost/container/small_vector.hpp>
 
 #include "schemes/algebra/ring.h"
 
 namespace subdiv {
+
+/// p/q in the ring R; rounded once, and without a rational in between, where R rounds.
+template <class R>
+R ratio(long p, long q) {
+  if constexpr (std::is_floating_point_v<R>) {
+    return static_cast<R>(p) / static_cast<R>(q);
+  } else {
+    return fraction<R>(p, q);
+  }
+}
 
 /// A new point as a combination of old ones: the sum of weight P_vertex. Each vertex stands once.
 template <class R>
 class Stencil {
  public:
   using Term = std::pair<int, R>;
+  // As many as the regular stencils of J_s have need no memory of their own.
+  static constexpr std::size_t usual_terms = 16;
+  using Terms = boost::container::small_vector<Term, usual_terms>;
 
   Stencil() = default;
   /// The point itself.
@@ -29,7 +44,7 @@ class Stencil {
     for (const Term& term : other.terms_) add(term.first, term.second * factor);
   }
 
-  [[nodiscard]] const std::vector<Term>& terms() const { return terms_; }
+  [[nodiscard]] const Terms& terms() const { return terms_; }
   [[nodiscard]] R weight(int vertex) const {
     for (const Term& term : terms_) {
       if (term.first == vertex) return term.second;
@@ -43,7 +58,7 @@ class Stencil {
   }
 
  private:
-  std::vector<Term> terms_;
+  Terms terms_;
 };
 
 }  // namespace subdiv
