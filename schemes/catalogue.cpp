@@ -141,12 +141,16 @@ const Family& find_family(std::string_view name) {
     known.insert(known.end(), family.aliases.begin(), family.aliases.end());
     if (std::find(known.begin(), known.end(), name) != known.end()) return family;
   }
+  const std::vector<std::string> meshes = mesh_scheme_names();
   if (names_mesh_scheme(name)) {
     throw InputError(in_quotes(name) + " is a scheme for meshes; the schemes for curves and grids are " +
                      joined(known, "and"));
   }
-  throw InputError("unknown scheme " + in_quotes(name) + suggestion(name, known) + " Known schemes: " +
-                   joined(known, "and") + "; a scheme of your own is a file whose name ends in .json");
+  std::vector<std::string> near = known;
+  near.insert(near.end(), meshes.begin(), meshes.end());
+  throw InputError("unknown scheme " + in_quotes(name) + suggestion(name, near) +
+                   " Known schemes: " + joined(known, "and") + ", and for meshes " + joined(meshes, "and") +
+                   "; a scheme of your own is a file whose name ends in .json");
 }
 
 const FamilyForm& find_form(const Family& family, std::span<const std::string> given) {

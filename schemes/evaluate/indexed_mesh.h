@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "schemes/evaluate/fresh_memory.h"
 #include "schemes/evaluate/mesh_refinement.h"
 #include "schemes/mesh/mesh_scheme.h"
 #include "schemes/mesh/mesh_topology.h"
@@ -13,8 +14,8 @@ namespace subdiv {
 /// corners[sides f] .. corners[sides f + sides - 1], counter-clockwise.
 struct IndexedMesh {
   int sides = 4;
-  std::vector<Point3> points;
-  std::vector<int> corners;
+  FreshVector<Point3> points;
+  FreshVector<int> corners;
 
   [[nodiscard]] std::size_t faces() const { return corners.size() / static_cast<std::size_t>(sides); }
 };

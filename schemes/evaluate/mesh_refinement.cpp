@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <limits>
 #include <numeric>
-#include <optional>
 #include <stdexcept>
 #include <unordered_map>
 #include <utility>
@@ -53,13 +52,12 @@ std::vector<char> regular_vertices(const MeshTopology& mesh) {
   return result;
 }
 
-/// The first `faces` faces of the mesh in patches; nothing when they have more than so many kinds of
-/// neighbourhoods.
-std::optional<PatchStage> patch_stage(const MeshTopology& mesh, int faces, const MeshScheme<double>& scheme,
-                                      int depth, std::size_t most_kinds) {
+/// The first `faces` faces of the mesh in patches.
+PatchStage patch_stage(const MeshTopology& mesh, int faces, const MeshScheme<double>& scheme, int depth,
+                       const FinalRule& final_rule) {
   PatchStage stage;
   stage.grid = patch_grid(mesh.sides(), depth);
-  RegularPatch regular_patch(scheme, stage.grid);
+  RegularPatch regular_patch(scheme, stage.grid, final_rule);
   stage.tables.push_back(regular_patch.table());
   const std::vector<char> regular = regular_vertices(mesh);
   std::unordered_map<std::vector<int>, int, SignatureHash> kinds;
@@ -74,8 +72,7 @@ std::optional<PatchStage> patch_stage(const MeshTopology& mesh, int faces, const
       finder.find(f, scheme.sight, neighbourhood);
       const auto [kind, is_new] =
           kinds.try_emplace(neighbourhood.signature, static_cast<int>(stage.tables.size()));
-      if (kinds.size() > most_kinds) return std::nullopt;
-      if (is_new) stage.tables.push_back(patch_table(mesh, neighbourhood, scheme, stage.grid));
+      if (is_new) stage.tables.push_back(patch_table(mesh, neighbourhood, scheme, stage.grid, final_rule));
       stage.table_of_face.push_back(kind->second);
       for (const int k : stage.tables[static_cast<std::size_t>(kind->second)].controls)
         stage.controls.push_back(neighbourhood.vertices[static_cast<std::size_t>(k)]);
@@ -258,7 +255,8 @@ void PatchNumbering::opposites(std::span<int> out, int threads) const {
           });
 }
 
-MeshRefinement::MeshRefinement(const MeshTopology& mesh, const MeshScheme<double>& scheme, int levels)
+MeshRefinement::MeshRefinement(const MeshTopology& mesh, const MeshScheme<double>& scheme, int levels,
+                               const FinalRule& final_rule)
     : control_vertices_(static_cast<std::size_t>(mesh.vertices())), result_(mesh) {
   check_size(mesh, scheme, levels);
   int left = levels;
@@ -269,7 +267,7 @@ MeshRefinement::MeshRefinement(const MeshTopology& mesh, const MeshScheme<double
     --left;
   }
   // The mesh with the layers added beyond its border: its faces begin with those of result_.
-  const bool has_layers = left > 0 && !scheme.border_rules.empty() && !result_.is_closed();
+  const bool has_layers = (left > 0 || final_rule) && !scheme.border_rules.empty() && !result_.is_closed();
   MeshTopology whole;
   if (has_layers) {
     BorderLayers<double> layers = border_layers(result_, scheme.border_rules);
@@ -292,19 +290,19 @@ MeshRefinement::MeshRefinement(const MeshTopology& mesh, const MeshScheme<double
   while (left > 0) {
     const int depth = left % deepest_patch == 0 ? deepest_patch : left % deepest_patch;
     left -= depth;
-    stages_.push_back(*patch_stage(current(), left > 0 ? current().faces() : result_.faces(), scheme, depth,
-                                   std::numeric_limits<std::size_t>::max()));
+    stages_.push_back(patch_stage(current(), left > 0 ? current().faces() : result_.faces(), scheme, depth,
+                                  left > 0 ? FinalRule() : final_rule));
     PatchStage& stage = stages_.back();
     stage.mesh = left > 0 ? current() : result_;
     if (left > 0) refine_both([&](const MeshTopology& m) { return refined_by(m, stage.grid); });
   }
-  if (stages_.empty() && has_layers) {  // leave the layers out again
+  if (stages_.empty() && (has_layers || final_rule)) {  // of each vertex but those of the layers
     std::vector<int> kept(static_cast<std::size_t>(result_.vertices()));
     std::iota(kept.begin(), kept.end(), 0);
-    for (int h = 0; h < result_.half_edges(); ++h)
+    for (int h = 0; has_layers && h < result_.half_edges(); ++h)
       kept[static_cast<std::size_t>(result_.origin(h))] = whole.origin(h);
     StencilRows rows;
-    for (const int v : kept) rows.add(Stencil<double>(v));
+    for (const int v : kept) rows.add(final_rule ? final_rule(current(), v) : Stencil<double>(v));
     steps_.push_back(std::move(rows));
   }
   sides_ = result_.sides();

@@ -66,9 +66,10 @@ class PatchNumbering {
 /// Vertices of the control mesh keep their numbers.
 class MeshRefinement {
  public:
-  /// levels >= 0. Throws InputError for a scheme of triangles on a mesh with other faces (naming the first),
-  /// and for more half-edges than an int counts.
-  MeshRefinement(const MeshTopology& mesh, const MeshScheme<double>& scheme, int levels);
+  /// levels >= 0; the final rule is applied to the points of the last level. Throws InputError for a scheme
+  /// of triangles on a mesh with other faces (naming the first), and for more half-edges than an int counts.
+  MeshRefinement(const MeshTopology& mesh, const MeshScheme<double>& scheme, int levels,
+                 const FinalRule& final_rule = {});
 
   [[nodiscard]] std::size_t control_vertices() const { return control_vertices_; }
   [[nodiscard]] std::size_t vertices() const;

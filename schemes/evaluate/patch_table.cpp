@@ -57,6 +57,15 @@ std::vector<int> patch_cells(const MeshTopology& mesh, int steps) {
 /// Rows of weights over the control points, one a vertex.
 using Rows = std::vector<std::vector<double>>;
 
+std::vector<double> combined(const Stencil<double>& stencil, const Rows& rows) {
+  std::vector<double> sum(rows.front().size(), 0.0);
+  for (const auto& [vertex, weight] : stencil.terms()) {
+    const auto& row = rows[static_cast<std::size_t>(vertex)];
+    for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += weight * row[k];
+  }
+  return sum;
+}
+
 struct LocalMesh {
   MeshTopology topology;
   Rows rows;
@@ -99,14 +108,9 @@ LocalMesh refined(const LocalMesh& local, const MeshScheme<double>& scheme, int 
   for (std::size_t i = 0; i < vertices.size(); ++i)
     place[static_cast<std::size_t>(vertices[i])] = static_cast<int>(i);
   fine.rows.assign(vertices.size(), {});
-  const std::size_t width = local.rows.front().size();
   const auto set = [&](int number, const Stencil<double>& stencil) {
-    std::vector<double> row(width, 0.0);
-    for (const auto& [vertex, weight] : stencil.terms()) {
-      const auto& old = local.rows[static_cast<std::size_t>(vertex)];
-      for (std::size_t k = 0; k < width; ++k) row[k] += weight * old[k];
-    }
-    fine.rows[static_cast<std::size_t>(place[static_cast<std::size_t>(number)])] = std::move(row);
+    fine.rows[static_cast<std::size_t>(place[static_cast<std::size_t>(number)])] =
+        combined(stencil, local.rows);
   };
   const MeshTopology& coarse = local.topology;
   const auto wanted = [&](int number) { return wanted_vertex[static_cast<std::size_t>(number)] != 0; };
@@ -217,12 +221,13 @@ MeshTopology regular_torus(int sides, int n) {
 
 }  // namespace
 
-RegularPatch::RegularPatch(const MeshScheme<double>& scheme, const PatchGrid& grid) {
+RegularPatch::RegularPatch(const MeshScheme<double>& scheme, const PatchGrid& grid,
+                           const FinalRule& final_rule) {
   const MeshTopology torus = regular_torus(grid.sides, 2 * scheme.sight + 4);
   NeighbourhoodFinder finder(torus);
   Neighbourhood neighbourhood;
   finder.find(0, scheme.sight, neighbourhood);
-  table_ = patch_table(torus, neighbourhood, scheme, grid);
+  table_ = patch_table(torus, neighbourhood, scheme, grid, final_rule);
   steps_ = finder.steps();
   const auto& corners = finder.vertex_corners();
   inner_.assign(corners.begin(), corners.begin() + static_cast<std::ptrdiff_t>(finder.inner_vertices()));
@@ -263,7 +268,7 @@ double PatchTable::weight(std::size_t k, std::size_t p) const {
 }
 
 PatchTable patch_table(const MeshTopology& mesh, const Neighbourhood& neighbourhood,
-                       const MeshScheme<double>& scheme, const PatchGrid& grid) {
+                       const MeshScheme<double>& scheme, const PatchGrid& grid, const FinalRule& final_rule) {
   const std::size_t width = neighbourhood.vertices.size();
   LocalMesh local;
   local.topology = part_of(mesh, neighbourhood.entries, neighbourhood.vertices);
@@ -286,20 +291,24 @@ PatchTable patch_table(const MeshTopology& mesh, const Neighbourhood& neighbourh
     }
   }
 
+  Rows rows;  // of the grid's points
+  for (const auto& p : grid.points) {
+    const int v = vertex_at.at(p);
+    rows.push_back(final_rule ? combined(final_rule(local.topology, v), local.rows)
+                              : local.rows[static_cast<std::size_t>(v)]);
+  }
+
   PatchTable table;
   table.points = grid.size();
   for (std::size_t k = 0; k < width; ++k) {
-    const bool used = std::any_of(grid.points.begin(), grid.points.end(), [&](const auto& p) {
-      return local.rows[static_cast<std::size_t>(vertex_at.at(p))][k] != 0;
-    });
+    const bool used = std::any_of(rows.begin(), rows.end(), [k](const auto& row) { return row[k] != 0; });
     if (used) table.controls.push_back(static_cast<int>(k));
   }
   table.weights.assign(table.lines() * table.controls.size() * patch_line, 0.0);
   for (std::size_t p = 0; p < grid.size(); ++p) {
-    const auto& row = local.rows[static_cast<std::size_t>(vertex_at.at(grid.points[p]))];
     for (std::size_t k = 0; k < table.controls.size(); ++k) {
       table.weights[(p / patch_line * table.controls.size() + k) * patch_line + p % patch_line] =
-          row[static_cast<std::size_t>(table.controls[k])];
+          rows[p][static_cast<std::size_t>(table.controls[k])];
     }
   }
   return table;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <cstddef>
-#include <span>
+#include <functional>
 #include <vector>
 
 #include "schemes/evaluate/aligned_vector.h"
@@ -67,10 +67,14 @@ struct PatchTable {
 /// Points that the kernel makes at once.
 inline constexpr std::size_t patch_line = 8;
 
+/// What is done to the points of the last level: a stencil over that level's vertices, such as a limit
+/// position. Empty: nothing.
+using FinalRule = std::function<Stencil<double>(const MeshTopology&, int vertex)>;
+
 /// The neighbourhood, regular as far as `sight` sees, of a face, and its table: found by a fixed walk.
 class RegularPatch {
  public:
-  RegularPatch(const MeshScheme<double>& scheme, const PatchGrid& grid);
+  RegularPatch(const MeshScheme<double>& scheme, const PatchGrid& grid, const FinalRule& final_rule = {});
   [[nodiscard]] const PatchTable& table() const { return table_; }
   /// The vertices that the table combines for this face, appended; nothing and false where one of the
   /// vertices around it is not regular. regular[v]: v lies inside and has the regular valence.
@@ -85,8 +89,10 @@ class RegularPatch {
   std::vector<int> entries_;  // of the last face
 };
 
-/// The table of the neighbourhood's first face: the scheme's rules applied to each control point alone.
+/// The table of the neighbourhood's first face: the scheme's rules, and at the end the final rule, applied to
+/// each control point alone.
 [[nodiscard]] PatchTable patch_table(const MeshTopology& mesh, const Neighbourhood& neighbourhood,
-                                     const MeshScheme<double>& scheme, const PatchGrid& grid);
+                                     const MeshScheme<double>& scheme, const PatchGrid& grid,
+                                     const FinalRule& final_rule = {});
 
 }  // namespace subdiv
