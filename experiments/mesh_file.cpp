@@ -38,18 +38,18 @@ MeshFile read_mesh(const std::filesystem::path& path) {
   return mesh;
 }
 
+std::string MeshFile::place(std::size_t face) const {
+  return fmt::format("{}:{}{}:", path.string(), binary ? " byte " : "", places[face]);
+}
+
 MeshTopology surface_of(const MeshFile& mesh) {
   try {
     return MeshTopology(mesh.faces);
   } catch (const InputError&) {  // named once more, with its place
     const std::optional<MeshFault> fault = find_fault(mesh.faces);
     if (!fault || fault->face >= mesh.places.size()) throw;
-    const std::string path = mesh.path.string();
-    const std::size_t place = mesh.places[fault->face];
-    throw InputError(fmt::format(
-        "{}face {} {}: {}",
-        mesh.binary ? fmt::format("{}: byte {}: ", path, place) : fmt::format("{}:{}: ", path, place),
-        fault->face + 1, fault->what, fault->remedy));
+    throw InputError(fmt::format("{} face {} {}: {}", mesh.place(fault->face), fault->face + 1, fault->what,
+                                 fault->remedy));
   }
 }
 

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,9 @@ struct MeshFile {
   std::vector<Point3> points;
   std::vector<std::size_t> places;  // of each face: its line from 1, in binary files its first byte from 0
   bool binary = false;
+
+  /// "FILE:LINE:" of a face, or "FILE: byte N:".
+  [[nodiscard]] std::string place(std::size_t face) const;
 };
 
 /// Reads the vertices and faces of
@@ -46,6 +50,6 @@ struct MeshFile {
 /// the low byte first. Throws InputError when a coordinate is not finite.
 void write_mesh(OutputFile& file, MeshFormat format, const IndexedMesh& mesh);
 void write_mesh(OutputFile& file, MeshFormat format, const PolygonFaces& faces,
-                const std::vector<Point3>& points);
+                std::span<const Point3> points);
 
 }  // namespace subdiv

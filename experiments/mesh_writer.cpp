@@ -39,7 +39,7 @@ struct Faces {
 };
 
 template <class F>
-void write_text(OutputFile& file, MeshFormat format, const std::vector<Point3>& points, const F& faces) {
+void write_text(OutputFile& file, MeshFormat format, std::span<const Point3> points, const F& faces) {
   const bool obj = format == MeshFormat::obj;
   if (!obj) file.write(fmt::format("OFF\n{} {} 0\n", points.size(), faces.count));
   std::string text;
@@ -63,7 +63,7 @@ void write_text(OutputFile& file, MeshFormat format, const std::vector<Point3>& 
 }
 
 template <class F>
-void write_ply(OutputFile& file, const std::vector<Point3>& points, const F& faces) {
+void write_ply(OutputFile& file, std::span<const Point3> points, const F& faces) {
   if (points.size() > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max()))
     throw InputError("a .ply file numbers fewer vertices; write an .obj or .off file");
   std::size_t longest = 0;
@@ -98,7 +98,7 @@ void write_ply(OutputFile& file, const std::vector<Point3>& points, const F& fac
 }
 
 template <class F>
-void write(OutputFile& file, MeshFormat format, const std::vector<Point3>& points, const F& faces) {
+void write(OutputFile& file, MeshFormat format, std::span<const Point3> points, const F& faces) {
   if (format == MeshFormat::ply) {
     write_ply(file, points, faces);
   } else {
@@ -118,7 +118,7 @@ void write_mesh(OutputFile& file, MeshFormat format, const IndexedMesh& mesh) {
 }
 
 void write_mesh(OutputFile& file, MeshFormat format, const PolygonFaces& polygons,
-                const std::vector<Point3>& points) {
+                std::span<const Point3> points) {
   const Faces faces{polygons.faces(), [&](std::size_t f) { return polygons.face(f).size(); },
                     [&](std::size_t f, std::size_t i) { return polygons.face(f)[i]; }};
   write(file, format, points, faces);

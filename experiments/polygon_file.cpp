@@ -14,6 +14,7 @@
 #include "experiments/report/files.h"
 #include "schemes/algebra/rational.h"
 #include "schemes/input_error.h"
+#include "schemes/mesh/mesh_catalogue.h"
 #include "schemes/text.h"
 
 namespace subdiv {
@@ -169,7 +170,9 @@ PointList<T> read_obj(const fs::path& path) {
       order = line_order(path, line, words, list.size());
       if (order.size() < 2) reject(path, line, "a line element visits at least two vertices");
     } else if (words.front() == "f") {
-      reject(path, line, "a face; expected a polygon or a grid, given by its vertices alone");
+      reject(path, line,
+             "a face; expected a polygon or a grid, given by its vertices alone; meshes take " +
+                 joined(mesh_scheme_names()));
     }
   });
   if (order.empty()) return list;

@@ -3,6 +3,7 @@
 #include <functional>
 #include <iostream>
 #include <thread>
+#include <utility>
 
 #include <CLI/CLI.hpp>
 
@@ -50,6 +51,7 @@ struct CommandLine {
   OptimizeOptions optimize_options;
   CertifyOptions certify_options;
   RefineOptions refine_options;
+  std::pair<std::string, std::string> refine_words;  // in the order in which they stand
   MeasureOptions measure_options;
   ListOptions list_options;
 
@@ -178,15 +180,18 @@ struct CommandLine {
 
   void add_refine() {
     auto& options = refine_options;
-    CLI::App& verb = *app.add_subcommand("refine", "Refine a polygon or a grid");
-    verb.add_option("SCHEME", options.scheme, "The scheme, with a value for every parameter")->required();
-    verb.add_option("INPUT", options.input, "Control points: .csv (x,y[,z] a line) or .obj")->required();
+    CLI::App& verb = *app.add_subcommand("refine", "Refine a polygon, a grid or a mesh");
+    verb.add_option("SCHEME", refine_words.first, "The scheme, with a value for every parameter");
+    verb.add_option("INPUT", refine_words.second,
+                    "Control points: .csv (x,y[,z] a line) or .obj; a mesh: .obj, .off or .ply");
+    verb.add_option("--scheme", options.scheme, "The scheme, instead of SCHEME")->type_name("SCHEME");
     constexpr int most = 62;
     verb.add_option("--levels,-k", options.levels, "How often: K steps of the scheme")
         ->type_name("K")
         ->check(CLI::Range(0, most))
         ->required();
-    verb.add_option("--out,-o", options.out, "A .csv, .obj or .svg file, or - for standard output")
+    verb.add_option("--out,-o", options.out,
+                    "A .csv, .obj or .svg file, of a mesh .obj, .off, .ply or .svg; - for standard output")
         ->type_name("OUTPUT")
         ->required();
     const CLI::IsMember ends({"clamped", "reflected"});
@@ -207,12 +212,36 @@ struct CommandLine {
         ->type_name("HOW")
         ->check(CLI::IsMember({"direct", "iteration"}));
     verb.add_flag("--limit", options.limit, "Write the limit points of the last level");
+    constexpr int most_threads = 1024;
+    verb.add_option("--threads", options.threads, "Threads for a mesh (default: one a processor)")
+        ->type_name("N")
+        ->check(CLI::Range(1, most_threads));
     verb.footer(std::string("Examples:  subdivlab refine jspline:s=1/2 square.csv --levels 5 -o curve.svg\n"
                             "           subdivlab refine jspline:s=3/2 path.csv --open clamped -k 8 -o -\n"
                             "           subdivlab refine bspline:degree=3 torus.csv --grid 4x6 -k 3 -o "
-                            "torus.obj\n\n") +
+                            "torus.obj\n"
+                            "           subdivlab refine --scheme jspline-mesh:s=1/2 mesh.obj -o out.ply "
+                            "--levels 4\n\n") +
                 exit_codes);
-    verb.callback([this] { action = [this] { return refine(refine_options); }; });
+    verb.callback([this] {
+      take_refine_words();
+      action = [this] { return refine(refine_options); };
+    });
+  }
+
+  /// "refine SCHEME INPUT", or "refine --scheme SCHEME INPUT".
+  void take_refine_words() {
+    auto& [scheme, input] = refine_words;
+    if (refine_options.scheme.empty()) {
+      if (scheme.empty()) throw CLI::RequiredError("SCHEME");
+      if (input.empty()) throw CLI::RequiredError("INPUT");
+      refine_options.scheme = scheme;
+      refine_options.input = input;
+      return;
+    }
+    if (scheme.empty()) throw CLI::RequiredError("INPUT");
+    if (!input.empty()) throw CLI::ExcludesError("SCHEME", "--scheme");
+    refine_options.input = scheme;
   }
 
   void add_measure() {

@@ -10,6 +10,7 @@
 #include "analysis/open_grid.h"
 #include "analysis/retrofit_polygon.h"
 #include "experiments/cli/control_points.h"
+#include "experiments/cli/refine_mesh.h"
 #include "experiments/cli/verbs.h"
 #include "experiments/details_file.h"
 #include "experiments/grid_file.h"
@@ -250,6 +251,9 @@ void refine_grid(const RefineOptions& options, const SchemeDescription& descript
 }  // namespace
 
 int refine(const RefineOptions& options) {
+  if (is_about_meshes(options)) return refine_mesh_file(options);
+  if (options.threads > 0)
+    throw InputError("--threads is for meshes; curves and grids are written as they come");
   const SchemeDescription description = evaluated_scheme(options.scheme);
   PointList<double> points = read_points<double>(options.input);
   if (!options.grid.empty() || holds_grid(points)) {

@@ -62,16 +62,17 @@ struct CertifyOptions {
 struct RefineOptions {
   std::string scheme;
   int levels = 0;
-  std::string input;        // .csv or .obj
-  std::string out;          // .csv, .obj, .svg or - for standard output
+  std::string input;        // .csv or .obj; .obj, .off or .ply for a mesh
+  std::string out;          // .csv, .obj, .svg or - for standard output; .obj, .off, .ply, .svg for a mesh
   std::string open;         // clamped, reflected or empty for closed: a curve, or the rows of a grid
   std::string open_across;  // the same for the columns of a grid
   std::string grid;         // "ROWSxCOLUMNS", or empty for a curve
   std::string details;      // .csv: level,index,dx,dy
   std::string retrofit;     // direct, iteration or empty
   bool limit = false;       // limit points instead of the refined ones
+  int threads = 0;          // for meshes; 0: one a processor
 };
-/// Refines a polygon or a grid and writes it as it comes.
+/// Refines a polygon, a grid or a mesh and writes it as it comes.
 [[nodiscard]] int refine(const RefineOptions& options);
 
 struct MeasureOptions {
