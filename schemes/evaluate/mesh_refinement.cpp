@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <stdexcept>
 #include <unordered_map>
 #include <utility>
@@ -52,9 +53,10 @@ std::vector<char> regular_vertices(const MeshTopology& mesh) {
   return result;
 }
 
-/// The first `faces` faces of the mesh in patches.
-PatchStage patch_stage(const MeshTopology& mesh, int faces, const MeshScheme<double>& scheme, int depth,
-                       const FinalRule& final_rule) {
+/// The first `faces` faces of the mesh in patches; nothing when their neighbourhoods are of more kinds than
+/// `most_kinds`, not counting the regular one.
+std::optional<PatchStage> patch_stage(const MeshTopology& mesh, int faces, const MeshScheme<double>& scheme,
+                                      int depth, const FinalRule& final_rule, std::size_t most_kinds) {
   PatchStage stage;
   stage.grid = patch_grid(mesh.sides(), depth);
   RegularPatch regular_patch(scheme, stage.grid, final_rule);
@@ -65,6 +67,7 @@ PatchStage patch_stage(const MeshTopology& mesh, int faces, const MeshScheme<dou
   Neighbourhood neighbourhood;
   stage.table_of_face.reserve(static_cast<std::size_t>(faces));
   stage.controls.reserve(static_cast<std::size_t>(faces) * regular_patch.table().controls.size());
+  stage.controls_begin.reserve(static_cast<std::size_t>(faces) + 1);
   for (int f = 0; f < faces; ++f) {
     if (regular_patch.add_controls(mesh, regular, f, stage.controls)) {
       stage.table_of_face.push_back(0);
@@ -72,6 +75,7 @@ PatchStage patch_stage(const MeshTopology& mesh, int faces, const MeshScheme<dou
       finder.find(f, scheme.sight, neighbourhood);
       const auto [kind, is_new] =
           kinds.try_emplace(neighbourhood.signature, static_cast<int>(stage.tables.size()));
+      if (kinds.size() > most_kinds) return std::nullopt;
       if (is_new) stage.tables.push_back(patch_table(mesh, neighbourhood, scheme, stage.grid, final_rule));
       stage.table_of_face.push_back(kind->second);
       for (const int k : stage.tables[static_cast<std::size_t>(kind->second)].controls)
@@ -80,6 +84,16 @@ PatchStage patch_stage(const MeshTopology& mesh, int faces, const MeshScheme<dou
     stage.controls_begin.push_back(stage.controls.size());
   }
   return stage;
+}
+
+/// As many kinds of neighbourhoods as are worth their tables: one costs the stencils of some hundred faces,
+/// one more level without patches those of four times the faces. Once no two irregular vertices are seen at
+/// once, there are as many as must be.
+std::size_t worthwhile_kinds(const MeshTopology& mesh, const MeshScheme<double>& scheme, int apart) {
+  constexpr std::size_t few = 8;
+  constexpr std::size_t faces_per_kind = 128;
+  if (apart >= 2 * scheme.sight) return std::numeric_limits<std::size_t>::max();
+  return few + static_cast<std::size_t>(mesh.faces()) / faces_per_kind;
 }
 
 /// Writes the points of one face's patch that it owns.
@@ -137,6 +151,15 @@ void apply(const PatchStage& stage, std::span<const Point3> from, std::span<Poin
     if (stage.mesh.outgoing(v) < 0) to[static_cast<std::size_t>(v)] = from[static_cast<std::size_t>(v)];
   }
 }
+
+void apply(const StencilRows& rows, std::span<const Point3> from, std::span<Point3> to, int threads) {
+  in_runs(rows.size(), rows_at_once, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t row = begin; row < end; ++row) to[row] = rows.point(row, from);
+  });
+}
+
+std::size_t vertices_of(const StencilRows& rows) { return rows.size(); }
+std::size_t vertices_of(const PatchStage& stage) { return PatchNumbering(stage.mesh, stage.grid).vertices(); }
 
 StencilRows step_rows(const MeshTopology& mesh, const MeshScheme<double>& scheme) {
   StencilRows rows;
@@ -262,7 +285,7 @@ MeshRefinement::MeshRefinement(const MeshTopology& mesh, const MeshScheme<double
   int left = levels;
   // Other polygons are split into quads once, by rules that need no layers.
   if (left > 0 && scheme.split == MeshSplit::quads && mesh.sides() != 4) {
-    steps_.push_back(step_rows(result_, scheme));
+    steps_.emplace_back(step_rows(result_, scheme));
     result_ = split_into_quads(result_);
     --left;
   }
@@ -274,7 +297,7 @@ MeshRefinement::MeshRefinement(const MeshTopology& mesh, const MeshScheme<double
     StencilRows rows;
     for (int v = 0; v < result_.vertices(); ++v) rows.add(Stencil<double>(v));
     for (const auto& stencil : layers.added) rows.add(stencil);
-    steps_.push_back(std::move(rows));
+    steps_.emplace_back(std::move(rows));
     whole = std::move(layers.mesh);
   }
   const auto refine_both = [&](const auto& refine) {
@@ -282,84 +305,89 @@ MeshRefinement::MeshRefinement(const MeshTopology& mesh, const MeshScheme<double
     if (has_layers) whole = refine(whole);
   };
   const auto current = [&]() -> const MeshTopology& { return has_layers ? whole : result_; };
-  // Until two irregular vertices are never seen at once: they stand 2^level steps apart.
-  for (int apart = 1; apart <= scheme.reach && left > 0; apart *= 2, --left) {
-    steps_.push_back(step_rows(current(), scheme));
-    refine_both([&](const MeshTopology& m) { return split(m, scheme.split); });
-  }
-  while (left > 0) {
+  for (int apart = 1; left > 0;) {  // steps between two vertices of the mesh at the start
     const int depth = left % deepest_patch == 0 ? deepest_patch : left % deepest_patch;
+    const bool last = depth == left;
+    auto stage = patch_stage(current(), last ? result_.faces() : current().faces(), scheme, depth,
+                             last ? final_rule : FinalRule(), worthwhile_kinds(current(), scheme, apart));
+    if (!stage) {
+      steps_.emplace_back(step_rows(current(), scheme));
+      refine_both([&](const MeshTopology& m) { return split(m, scheme.split); });
+      --left;
+      apart *= 2;
+      continue;
+    }
     left -= depth;
-    stages_.push_back(patch_stage(current(), left > 0 ? current().faces() : result_.faces(), scheme, depth,
-                                  left > 0 ? FinalRule() : final_rule));
-    PatchStage& stage = stages_.back();
-    stage.mesh = left > 0 ? current() : result_;
-    if (left > 0) refine_both([&](const MeshTopology& m) { return refined_by(m, stage.grid); });
+    apart <<= depth;
+    stage->mesh = last ? result_ : current();
+    steps_.emplace_back(std::move(*stage));
+    if (!last) refine_both([&](const MeshTopology& m) { return refined_by(m, last_stage()->grid); });
   }
-  if (stages_.empty() && (has_layers || final_rule)) {  // of each vertex but those of the layers
+  if (last_stage() == nullptr && (has_layers || final_rule)) {  // of each vertex but those of the layers
     std::vector<int> kept(static_cast<std::size_t>(result_.vertices()));
     std::iota(kept.begin(), kept.end(), 0);
     for (int h = 0; has_layers && h < result_.half_edges(); ++h)
       kept[static_cast<std::size_t>(result_.origin(h))] = whole.origin(h);
     StencilRows rows;
     for (const int v : kept) rows.add(final_rule ? final_rule(current(), v) : Stencil<double>(v));
-    steps_.push_back(std::move(rows));
+    steps_.emplace_back(std::move(rows));
   }
   sides_ = result_.sides();
 }
 
+const PatchStage* MeshRefinement::last_stage() const {
+  return steps_.empty() ? nullptr : std::get_if<PatchStage>(&steps_.back());
+}
+
 std::size_t MeshRefinement::vertices() const {
-  return stages_.empty() ? static_cast<std::size_t>(result_.vertices())
-                         : PatchNumbering(stages_.back().mesh, stages_.back().grid).vertices();
+  const PatchStage* const stage = last_stage();
+  return stage == nullptr ? static_cast<std::size_t>(result_.vertices()) : vertices_of(*stage);
 }
 
 std::size_t MeshRefinement::faces() const {
-  return stages_.empty() ? static_cast<std::size_t>(result_.faces())
-                         : PatchNumbering(stages_.back().mesh, stages_.back().grid).faces();
+  const PatchStage* const stage = last_stage();
+  return stage == nullptr ? static_cast<std::size_t>(result_.faces())
+                          : PatchNumbering(stage->mesh, stage->grid).faces();
 }
 
 void MeshRefinement::points(std::span<const Point3> control, std::span<Point3> out, int threads) const {
   if (control.size() != control_vertices_ || out.size() != vertices())
     throw std::invalid_argument(
         "points: one for each vertex of the control mesh in, of the refined mesh out");
-  std::vector<Point3> before(control.begin(), control.end());
+  if (steps_.empty()) {
+    std::copy(control.begin(), control.end(), out.begin());
+    return;
+  }
+  std::vector<Point3> before;
   std::vector<Point3> after;
-  for (const StencilRows& rows : steps_) {
-    after.resize(rows.size());
-    in_runs(rows.size(), rows_at_once, threads, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t row = begin; row < end; ++row) after[row] = rows.point(row, before);
-    });
+  std::span<const Point3> from = control;
+  for (std::size_t k = 0; k < steps_.size(); ++k) {
+    const bool last = k + 1 == steps_.size();
+    if (!last) after.resize(std::visit([](const auto& step) { return vertices_of(step); }, steps_[k]));
+    const std::span<Point3> to = last ? out : std::span<Point3>(after);
+    std::visit([&](const auto& step) { apply(step, from, to, threads); }, steps_[k]);
     std::swap(before, after);
+    from = before;
   }
-  for (std::size_t k = 0; k < stages_.size(); ++k) {
-    if (k + 1 == stages_.size()) {
-      apply(stages_[k], before, out, threads);
-      return;
-    }
-    after.resize(PatchNumbering(stages_[k].mesh, stages_[k].grid).vertices());
-    apply(stages_[k], before, after, threads);
-    std::swap(before, after);
-  }
-  std::copy(before.begin(), before.end(), out.begin());
 }
 
 void MeshRefinement::corners(std::span<int> out, int threads) const {
   if (out.size() != faces() * static_cast<std::size_t>(sides_))
     throw std::invalid_argument("corners: as many as the refined mesh has half-edges");
-  if (stages_.empty()) {
-    std::copy(result_.origins().begin(), result_.origins().end(), out.begin());
+  if (const PatchStage* const stage = last_stage()) {
+    PatchNumbering(stage->mesh, stage->grid).corners(out, threads);
   } else {
-    PatchNumbering(stages_.back().mesh, stages_.back().grid).corners(out, threads);
+    std::copy(result_.origins().begin(), result_.origins().end(), out.begin());
   }
 }
 
 void MeshRefinement::opposites(std::span<int> out, int threads) const {
   if (out.size() != faces() * static_cast<std::size_t>(sides_))
     throw std::invalid_argument("opposites: as many as the refined mesh has half-edges");
-  if (stages_.empty()) {
-    std::copy(result_.opposites().begin(), result_.opposites().end(), out.begin());
+  if (const PatchStage* const stage = last_stage()) {
+    PatchNumbering(stage->mesh, stage->grid).opposites(out, threads);
   } else {
-    PatchNumbering(stages_.back().mesh, stages_.back().grid).opposites(out, threads);
+    std::copy(result_.opposites().begin(), result_.opposites().end(), out.begin());
   }
 }
 

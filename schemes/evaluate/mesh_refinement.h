@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <span>
+#include <variant>
 #include <vector>
 
 #include "schemes/evaluate/patch_grid.h"
@@ -86,11 +87,13 @@ class MeshRefinement {
   void opposites(std::span<int> out, int threads = 1) const;
 
  private:
+  /// The last step, when it is one of patches.
+  [[nodiscard]] const PatchStage* last_stage() const;
+
   int sides_ = 4;
   std::size_t control_vertices_ = 0;
-  std::vector<StencilRows> steps_;
-  std::vector<PatchStage> stages_;
-  MeshTopology result_;  // before the last stage; where there is none, the refined mesh
+  std::vector<std::variant<StencilRows, PatchStage>> steps_;  // patches last, if there are any
+  MeshTopology result_;  // before the last patches; where there are none, the refined mesh
 };
 
 }  // namespace subdiv

@@ -109,7 +109,7 @@ MeshScheme<R> jspline_mesh(const R& s) {
   scheme.name = "jspline-mesh";
   scheme.split = MeshSplit::quads;
   scheme.reach = 2;
-  scheme.sight = 3;
+  scheme.sight = 4;
   // The clamped ends of curves (J-splines, section 9), line by line.
   const R half = ratio<R>(1, 2);
   scheme.border_rules = {{(R(9) - s) * half * half, (s - R(3)) * half, (R(1) - s) * half * half},

@@ -26,8 +26,9 @@ struct MeshScheme {
   /// In regular regions the descendants of a face depend on the corners of the faces up to `reach` rings
   /// around it (1: the face and those that share a corner with it): 1 for cubic splines, 2 for J_s.
   int reach = 1;
-  /// The rings of faces that the rules look at to find those corners: one more where they go straight on
-  /// through vertices at the rim.
+  /// With irregular vertices about: descendants of a face depend on nothing beyond `sight` rings of faces, on
+  /// the connectivity there included, and descendants of those rings' own points within `sight` rings of the
+  /// descendants neither (so that a neighbourhood refines to a neighbourhood). At least reach.
   int sight = 1;
   /// How the border continues outwards, for rules that rely on layers of faces beyond it
   /// (schemes/mesh/border_layers.h adds them): layer k + 1 has the points w_0 P_0 + w_1 P_1 + w_2 P_2 with

@@ -24,7 +24,7 @@ template <class R>
 class Stencil {
  public:
   using Term = std::pair<int, R>;
-  // As many as the regular stencils of J_s have need no memory of their own.
+  // Most stencils need no memory of their own.
   static constexpr std::size_t usual_terms = 16;
   using Terms = boost::container::small_vector<Term, usual_terms>;
 
