@@ -2,6 +2,7 @@
 
 #include "experiments/area.h"
 #include "experiments/basis_fit.h"
+#include "experiments/characteristic_maps.h"
 #include "experiments/curve_figures.h"
 #include "experiments/exact_smoothness.h"
 #include "experiments/experiment.h"
@@ -53,6 +54,8 @@ std::span<const Experiment> experiments() {
       Experiment{"ringing", "Ringing (js-report 12, 14, appendix)", ringing_heads, run_ringing},
       Experiment{"surfaces", "Grid surfaces: ringing and popping (js-report 9, 13, 14; jsplines 10, 11)",
                  surface_heads, run_surfaces},
+      Experiment{"characteristic-maps", "Characteristic maps of mesh schemes (jsplines 10, notes 4, 5)",
+                 characteristic_map_heads, run_characteristic_maps},
   };
   return all;
 }
