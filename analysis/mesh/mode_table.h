@@ -1,0 +1,55 @@
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "analysis/mesh/interval_polynomial.h"
+#include "analysis/mesh/mode_equation.h"
+
+namespace subdiv {
+
+/// The factors of a mode's characteristic polynomial for given parameters and turn, with multiplicities.
+using ModeFactors = std::vector<std::pair<PolynomialFamily, int>>;
+
+/// A mode equation prepared for evaluation at many intervals of its one parameter s = x_0 and many turns c.
+class ModeTable {
+ public:
+  static constexpr long precision = 192;
+
+  /// Throws std::domain_error when the equation uses other variables than x_7, x_5 and x_0.
+  explicit ModeTable(const ModeEquation& equation);
+
+  /// All s of an interval: the middle's coefficients of x^i c^j of each factor, and all slopes (mean value
+  /// theorem).
+  struct AtParameter {
+    struct Factor {
+      std::vector<IntervalPolynomial> middle;
+      std::vector<IntervalPolynomial> slope;
+      int multiplicity = 1;
+      bool turns = false;  // depends on c
+    };
+    std::vector<Factor> factors;
+    Interval half_width = Interval(0);
+
+    [[nodiscard]] ModeFactors at_turn(const Interval& c) const;
+    /// Only the factors that depend on c: the others are the same in all modes k != 0.
+    [[nodiscard]] ModeFactors turning_at(const Interval& c) const;
+    [[nodiscard]] ModeFactors common() const;
+
+   private:
+    static void append(const Factor& factor, const Interval& c, const Interval& half_width,
+                       ModeFactors& result);
+  };
+
+  [[nodiscard]] AtParameter at(const Rational& lower, const Rational& upper) const;
+
+ private:
+  struct Factor {
+    std::vector<std::vector<IntervalPolynomial>> coefficients;  // of x^i c^j: polynomials in s
+    int multiplicity = 1;
+    bool turns = false;
+  };
+  std::vector<Factor> factors_;
+};
+
+}  // namespace subdiv
