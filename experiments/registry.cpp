@@ -10,6 +10,7 @@
 #include "experiments/hoelder_exponents.h"
 #include "experiments/interpolation.h"
 #include "experiments/limit_masks.h"
+#include "experiments/mesh_figures.h"
 #include "experiments/named_smoothness.h"
 #include "experiments/polygon_curves.h"
 #include "experiments/popping.h"
@@ -56,6 +57,8 @@ std::span<const Experiment> experiments() {
                  surface_heads, run_surfaces},
       Experiment{"characteristic-maps", "Characteristic maps of mesh schemes (jsplines 10, notes 4, 5)",
                  characteristic_map_heads, run_characteristic_maps},
+      Experiment{"mesh-figures", "Figures of meshes, weights of Loop and butterfly (jsplines 10; notes 4, 5)",
+                 mesh_figure_heads, run_mesh_figures},
   };
   return all;
 }
