@@ -1,7 +1,5 @@
 #include "analysis/mesh/limit_stencils.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,6 +13,7 @@
 #include "analysis/mesh/fan_matrix.h"
 #include "schemes/input_error.h"
 #include "schemes/mesh/fan.h"
+#include "schemes/mesh/neighbourhood.h"
 
 namespace subdiv {
 namespace {
@@ -53,8 +52,8 @@ double largest_of_others(const FanMatrix<double>& fan) {
   return largest;
 }
 
-std::optional<std::vector<std::array<double, 2>>> tangent_weights(const FanMatrix<double>& fan,
-                                                                  double others) {
+std::optional<std::vector<std::array<double, 2>>> tangent_eigenvector(const FanMatrix<double>& fan,
+                                                                      double others) {
   const Eigen::ComplexEigenSolver<Eigen::MatrixXcd> solver(mode_block(fan, 1).transpose());
   const auto& values = solver.eigenvalues();
   Eigen::Index first = 0;
@@ -86,17 +85,6 @@ class LimitStencils {
   std::map<int, LimitStencil> known_;
 };
 
-std::vector<int> fan_of(const MeshTopology& mesh, int v, int rings) {
-  auto fan = fan_vertices(mesh, mesh.outgoing(v), rings);
-  if (!fan) {
-    throw InputError(
-        fmt::format("vertex {} of the last level: the limit needs {} rings that are regular but for the "
-                    "vertex; use more levels",
-                    v + 1, rings));
-  }
-  return std::move(*fan);
-}
-
 /// The curve with even rule (a, 1 - 2a, a) and mid-edge points tends to (P_0 + 4 a M)/(1 + 4 a), M the mean
 /// of its neighbours.
 Stencil<double> border_limit(const MeshScheme<double>& scheme, const MeshTopology& mesh, int v) {
@@ -110,36 +98,107 @@ Stencil<double> border_limit(const MeshScheme<double>& scheme, const MeshTopolog
   return result;
 }
 
-Stencil<double> limit_position(LimitStencils& stencils, const MeshTopology& mesh, int v) {
-  if (mesh.outgoing(v) < 0) return Stencil<double>(v);
-  if (mesh.is_border(v)) return border_limit(stencils.scheme(), mesh, v);
-  const LimitStencil& limit = stencils.of(mesh.valence(v));
-  const std::vector<int> fan = fan_of(mesh, v, limit.rings);
-  Stencil<double> result;
-  result.add(v, limit.centre);
-  for (std::size_t i = 1; i < fan.size(); ++i) {
-    const double weight = limit.position[(i - 1) % limit.position.size()];
-    if (weight != 0) result.add(fan[i], weight);
+/// Weights of a vertex and of the places of the rings around it, sector by sector.
+struct FanWeights {
+  double centre = 0;
+  std::vector<double> places;
+};
+
+FanWeights position_weights(const LimitStencil& limit, int valence) {
+  FanWeights result{limit.centre, {}};
+  for (int k = 0; k < valence; ++k)
+    result.places.insert(result.places.end(), limit.position.begin(), limit.position.end());
+  return result;
+}
+
+/// The real part (quarter = 0) or the imaginary part (1) of the tangents' sum.
+FanWeights tangent_weights(const LimitStencil& limit, int valence, int quarter) {
+  FanWeights result;
+  if (!limit.tangent) return result;
+  for (int k = 0; k < valence; ++k) {
+    const Complex turn = std::polar(1.0, -2 * std::numbers::pi * k / valence);
+    for (const auto& [re, im] : *limit.tangent) {
+      const Complex weight = turn * Complex(re, im);
+      result.places.push_back(quarter == 0 ? weight.real() : weight.imag());
+    }
   }
   return result;
 }
 
-Stencil<double> limit_tangent(LimitStencils& stencils, const MeshTopology& mesh, int v, bool imaginary) {
-  if (mesh.is_border(v)) return {};
-  const LimitStencil& limit = stencils.of(mesh.valence(v));
-  if (!limit.tangent) return {};
-  const std::vector<int> fan = fan_of(mesh, v, limit.rings);
-  const std::size_t places = limit.tangent->size();
-  Stencil<double> result;
-  for (std::size_t i = 1; i < fan.size(); ++i) {
-    const auto& [re, im] = (*limit.tangent)[(i - 1) % places];
-    const auto sector = static_cast<double>((i - 1) / places);
-    const Complex weight =
-        std::polar(1.0, -2 * std::numbers::pi * sector / mesh.valence(v)) * Complex(re, im);
-    result.add(fan[i], imaginary ? weight.imag() : weight.real());
+/// The rules of one mesh.
+class LimitsOnMesh {
+ public:
+  LimitsOnMesh(const MeshTopology& mesh, std::shared_ptr<LimitStencils> stencils)
+      : mesh_(mesh), stencils_(std::move(stencils)), finder_(mesh) {
+    if (mesh.half_edges() > 0 && mesh.sides() != (stencils_->scheme().split == MeshSplit::quads ? 4 : 3))
+      throw InputError("limits of faces with different numbers of corners: use at least one level");
   }
-  return result;
-}
+
+  [[nodiscard]] const LimitStencil& stencil(int v) { return stencils_->of(mesh_.valence(v)); }
+
+  Stencil<double> position(int v) {
+    if (mesh_.outgoing(v) < 0) return Stencil<double>(v);
+    if (mesh_.is_border(v)) return border_limit(stencils_->scheme(), mesh_, v);
+    return on_fan(v, position_weights(stencil(v), mesh_.valence(v)));
+  }
+
+  Stencil<double> tangent(int v, int quarter) {
+    if (mesh_.is_border(v) || !stencil(v).tangent) return {};
+    return on_fan(v, tangent_weights(stencil(v), mesh_.valence(v), quarter));
+  }
+
+ private:
+  /// The vertices around v in the order of a fan, if the rules see nothing irregular but v among them.
+  static std::optional<std::vector<int>> regular_fan(const MeshTopology& mesh, int v,
+                                                     const MeshScheme<double>& scheme) {
+    const int seen = scheme.sight > scheme.reach ? scheme.reach + 1 : scheme.reach;
+    if (!fan_vertices(mesh, mesh.outgoing(v), seen)) return std::nullopt;
+    return fan_vertices(mesh, mesh.outgoing(v), scheme.reach);
+  }
+
+  /// Next to irregular vertices, rings are not regular at any level; but those of the same vertex are one or
+  /// two levels on: by then it stands some steps away.
+  Stencil<double> on_fan(int v, const FanWeights& weights) {
+    const MeshScheme<double>& scheme = stencils_->scheme();
+    if (const auto fan = regular_fan(mesh_, v, scheme)) return weighted(*fan, weights);
+    finder_.find(mesh_.face(mesh_.outgoing(v)), scheme.sight, neighbourhood_);
+    const MeshTopology local = part_of(mesh_, neighbourhood_.entries, neighbourhood_.vertices);
+    const auto place =
+        static_cast<int>(std::find(neighbourhood_.vertices.begin(), neighbourhood_.vertices.end(), v) -
+                         neighbourhood_.vertices.begin());
+    std::vector<MeshTopology> levels{local};
+    std::optional<std::vector<int>> fan;
+    for (constexpr std::size_t most = 3; !fan; fan = regular_fan(levels.back(), place, scheme)) {
+      if (levels.size() > most) throw std::logic_error("irregular vertices stand apart after a few levels");
+      levels.push_back(split(levels.back(), scheme.split));
+    }
+    Stencil<double> sum = weighted(*fan, weights);
+    for (levels.pop_back(); !levels.empty(); levels.pop_back()) {
+      Stencil<double> of_coarser;
+      for (const auto& [number, weight] : sum.terms())
+        of_coarser.add(stencil_of(levels.back(), scheme, number), weight);
+      sum = std::move(of_coarser);
+    }
+    Stencil<double> result;
+    for (const auto& [number, weight] : sum.terms())
+      result.add(neighbourhood_.vertices[static_cast<std::size_t>(number)], weight);
+    return result;
+  }
+
+  static Stencil<double> weighted(const std::vector<int>& fan, const FanWeights& weights) {
+    Stencil<double> result;
+    if (weights.centre != 0) result.add(fan[0], weights.centre);
+    for (std::size_t i = 1; i < fan.size(); ++i) {
+      if (weights.places[i - 1] != 0) result.add(fan[i], weights.places[i - 1]);
+    }
+    return result;
+  }
+
+  const MeshTopology& mesh_;
+  std::shared_ptr<LimitStencils> stencils_;
+  NeighbourhoodFinder finder_;
+  Neighbourhood neighbourhood_;
+};
 
 }  // namespace
 
@@ -155,15 +214,21 @@ LimitStencil limit_stencil(const MeshScheme<double>& scheme, int valence) {
   const Eigen::VectorXd y = system.fullPivLu().solve(Eigen::VectorXd::Unit(block.rows(), 0));
   result.centre = y(0);
   for (Eigen::Index p = 1; p < y.size(); ++p) result.position.push_back(y(p) / valence);
-  result.tangent = tangent_weights(fan, others);
+  result.tangent = tangent_eigenvector(fan, others);
   return result;
 }
 
 LimitRules limit_rules(const MeshScheme<double>& scheme) {
   const auto stencils = std::make_shared<LimitStencils>(scheme);
-  return {[stencils](const MeshTopology& mesh, int v) { return limit_position(*stencils, mesh, v); },
-          [stencils](const MeshTopology& mesh, int v) { return limit_tangent(*stencils, mesh, v, false); },
-          [stencils](const MeshTopology& mesh, int v) { return limit_tangent(*stencils, mesh, v, true); }};
+  const auto rule = [&](auto kind) -> FinalRule {
+    return [stencils, kind](const MeshTopology& mesh) {
+      return
+          [limits = std::make_shared<LimitsOnMesh>(mesh, stencils), kind](int v) { return kind(*limits, v); };
+    };
+  };
+  return {rule([](LimitsOnMesh& limits, int v) { return limits.position(v); }),
+          rule([](LimitsOnMesh& limits, int v) { return limits.tangent(v, 0); }),
+          rule([](LimitsOnMesh& limits, int v) { return limits.tangent(v, 1); })};
 }
 
 }  // namespace subdiv

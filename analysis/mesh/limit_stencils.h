@@ -21,19 +21,18 @@ struct LimitStencil {
   /// P_{k,p} span it; the left eigenvector of Fourier mode 1 for its largest eigenvalue, up to a factor.
   /// Their cross product, imaginary part first, points to the side from which the mesh is counter-clockwise.
   /// Nothing where the limit surface need not have a tangent plane there: where that eigenvalue is not real
-  /// and larger in modulus than all others but 1 and its conjugate's.
+  /// and larger in modulus than all others but 1 and its copy in mode -1.
   std::optional<std::vector<std::array<double, 2>>> tangent;
 };
 
 /// Throws std::domain_error when 1 is no simple eigenvalue that dominates all others: there is no limit.
 [[nodiscard]] LimitStencil limit_stencil(const MeshScheme<double>& scheme, int valence);
 
-/// The rules that take points of a mesh to their limit positions, and to the two tangents whose cross product
-/// is normal (zero where there is none), for MeshRefinement. They need a level on which the rings around
-/// every vertex are regular (one or two levels of any mesh), and throw InputError with the vertex where they
-/// are not. At a border whose rules the scheme has itself, the border curve's: cubic B-spline for schemes
-/// that move border vertices by (1, 6, 1)/8, the point itself where it stays; tangents there are not offered
-/// (zero).
+/// The rules that take points of a mesh to their limit positions, and to the two tangents whose cross
+/// product, second x first, is normal (zero where there is none), for MeshRefinement. They throw InputError
+/// for a mesh with other faces than the scheme's. At a border whose rules the scheme has itself, the border
+/// curve's limit: the cubic B-spline's for schemes that move border vertices by (1, 6, 1)/8, the point itself
+/// where it stays; tangents there are not offered (zero).
 struct LimitRules {
   FinalRule position;
   FinalRule first_tangent;

@@ -329,7 +329,8 @@ MeshRefinement::MeshRefinement(const MeshTopology& mesh, const MeshScheme<double
     for (int h = 0; has_layers && h < result_.half_edges(); ++h)
       kept[static_cast<std::size_t>(result_.origin(h))] = whole.origin(h);
     StencilRows rows;
-    for (const int v : kept) rows.add(final_rule ? final_rule(current(), v) : Stencil<double>(v));
+    const auto rule = final_rule ? final_rule(current()) : nullptr;
+    for (const int v : kept) rows.add(rule ? rule(v) : Stencil<double>(v));
     steps_.emplace_back(std::move(rows));
   }
   sides_ = result_.sides();

@@ -8,48 +8,9 @@
 #include "schemes/evaluate/patch_grid.h"
 #include "schemes/mesh/mesh_scheme.h"
 #include "schemes/mesh/mesh_topology.h"
+#include "schemes/mesh/neighbourhood.h"
 
 namespace subdiv {
-
-/// The faces up to some rings around a face, and their vertices, in an order that depends on nothing but how
-/// they hang together: equal signatures mean neighbourhoods that map onto each other, vertex by vertex.
-struct Neighbourhood {
-  std::vector<int> vertices;  // the face's own corners first
-  std::vector<int> faces;     // the face itself first, each entered at the half-edge in `entries`
-  std::vector<int> entries;
-  std::vector<int> signature;
-};
-
-/// A half-edge of a neighbourhood: the i-th face's corner c, counted from its entry.
-struct NeighbourhoodCorner {
-  std::size_t face = 0;
-  int corner = 0;
-};
-
-/// Collects neighbourhoods; what it remembers of the last one makes the next cheap. Not for several threads.
-class NeighbourhoodFinder {
- public:
-  explicit NeighbourhoodFinder(const MeshTopology& mesh);
-  /// Ring 1 are the faces that share a corner with the face, ring 2 those that share one with ring 1.
-  void find(int face, int rings, Neighbourhood& result);
-
-  /// How the last neighbourhood was walked: the i-th face (i >= 1) lies across the edge that comes in before
-  /// this corner's; a corner at which each vertex stands; the vertices whose faces were all entered are the
-  /// first ones.
-  [[nodiscard]] const std::vector<NeighbourhoodCorner>& steps() const { return steps_; }
-  [[nodiscard]] const std::vector<NeighbourhoodCorner>& vertex_corners() const { return vertex_corners_; }
-  [[nodiscard]] std::size_t inner_vertices() const { return inner_vertices_; }
-
- private:
-  [[nodiscard]] NeighbourhoodCorner corner_of(int h, const Neighbourhood& result) const;
-
-  const MeshTopology& mesh_;
-  int time_ = 0;
-  std::vector<int> vertex_time_, vertex_number_;
-  std::vector<int> face_time_, face_number_;
-  std::vector<NeighbourhoodCorner> steps_, vertex_corners_;
-  std::size_t inner_vertices_ = 0;
-};
 
 /// Some steps of a scheme at once on one face: point p of the patch is the sum over k of weight(k, p) times
 /// control point k, the control points being some of the neighbourhood's vertices.
@@ -67,9 +28,9 @@ struct PatchTable {
 /// Points that the kernel makes at once.
 inline constexpr std::size_t patch_line = 8;
 
-/// What is done to the points of the last level: a stencil over that level's vertices, such as a limit
-/// position. Empty: nothing.
-using FinalRule = std::function<Stencil<double>(const MeshTopology&, int vertex)>;
+/// What is done to the points of the last level, given its mesh: a stencil over its vertices for each vertex,
+/// such as a limit position. Empty: nothing.
+using FinalRule = std::function<std::function<Stencil<double>(int vertex)>(const MeshTopology&)>;
 
 /// The neighbourhood, regular as far as `sight` sees, of a face, and its table: found by a fixed walk.
 class RegularPatch {

@@ -3,7 +3,6 @@
 #include <array>
 #include <cstddef>
 #include <map>
-#include <utility>
 #include <vector>
 
 #include "schemes/mesh/mesh_scheme.h"
@@ -81,8 +80,8 @@ BorderLayers<R> border_layers(const MeshTopology& mesh, const std::vector<std::a
     for (int c = 0; c < mesh.degree(f); ++c) corners.push_back(mesh.origin(mesh.first(f) + c));
     faces.add_face(corners);
   }
-  const auto add = [&](Stencil<R> stencil) {
-    result.added.push_back(std::move(stencil));
+  const auto add = [&](const Stencil<R>& stencil) {
+    result.added.push_back(stencil);
     return mesh.vertices() + static_cast<int>(result.added.size()) - 1;
   };
   const auto stencil_of = [&](int v) {
