@@ -166,7 +166,10 @@ TEST_F(MeshFileTest, WhatIsWrittenReadsBackTheSame) {
     EXPECT_EQ(mesh.faces.corners, faces.corners);
     EXPECT_EQ(mesh.faces.begin, faces.begin);
   }
-  const IndexedMesh triangles{3, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {0, 1, 2}};
+  IndexedMesh triangles;
+  triangles.sides = 3;
+  triangles.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  triangles.corners = {0, 1, 2};
   OutputFile out(path("t.ply"));
   write_mesh(out, MeshFormat::ply, triangles);
   out.finish();
@@ -174,7 +177,8 @@ TEST_F(MeshFileTest, WhatIsWrittenReadsBackTheSame) {
 }
 
 TEST_F(MeshFileTest, NumbersThatAreNotFiniteAreNotWritten) {
-  const IndexedMesh mesh{3, {{0, 0, std::numeric_limits<double>::infinity()}}, {}};
+  IndexedMesh mesh;
+  mesh.points.push_back({0, 0, std::numeric_limits<double>::infinity()});
   for (const MeshFormat format : {MeshFormat::obj, MeshFormat::off, MeshFormat::ply}) {
     expect_input_error(
         [&] {
