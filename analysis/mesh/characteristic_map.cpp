@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "analysis/mesh/derivative_bound.h"
 #include "analysis/mesh/lattice_limits.h"
 #include "analysis/mesh/spline_pieces.h"
 
@@ -201,30 +202,57 @@ CharacteristicMap spline_verdict(const CharacteristicNet<Interval>& net, const L
   return map;
 }
 
-CharacteristicMap characteristic_map(const MeshSchemeForms& scheme, int valence) {
-  require_valence(valence);
+namespace {
+
+/// What is known of a scheme's regular limits, whatever the valence.
+struct RegularLimits {
   std::optional<LatticeSpline> spline;
+  std::optional<DerivativeBounds> bounds;
+};
+
+/// Remembers the last mask: callers ask for many valences of one scheme.
+const RegularLimits& regular_limits(const LatticeMask<Rational>& mask, int sides) {
+  struct Known {
+    LatticeMask<Rational> mask;
+    int sides;
+    RegularLimits limits;
+  };
+  thread_local std::optional<Known> known;
+  if (!known || known->sides != sides || !(known->mask == mask)) {
+    RegularLimits limits;
+    limits.spline = spline_with_mask(mask, sides);
+    if (!limits.spline) limits.bounds = derivative_bounds(mask);
+    known = Known{mask, sides, std::move(limits)};
+  }
+  return known->limits;
+}
+
+}  // namespace
+
+CharacteristicMap characteristic_map(const MeshSchemeForms& scheme, int valence) {
+  CharacteristicMap sampled = sampled_characteristic_map(scheme.rounded, valence);
+  if (!scheme.exact || !sampled.exists()) return sampled;
   const int sides = scheme.rounded.split == MeshSplit::quads ? 4 : 3;
-  if (scheme.exact) spline = spline_with_mask(lattice_mask(*scheme.exact), sides);
-  if (!spline) return sampled_characteristic_map(scheme.rounded, valence);
+  const RegularLimits& limits = regular_limits(lattice_mask(*scheme.exact), sides);
+  if (!limits.spline && !limits.bounds) return sampled;
 
   const LeadingMode leading = leading_mode(scheme.rounded, rounded_fan(scheme.rounded, valence));
-  CharacteristicMap map = map_of(leading);
-  if (!map.exists()) return map;
   const FanMatrix<Interval> fan = fan_matrix(scheme.enclosed, valence, regular_rings(scheme.enclosed.reach));
   const Matrix<Interval> matrix = mode_matrix(fan, leading.mode);
   const Eigen::Index core = leading.pair.vector.size();
   const RealEigenpair<Interval> pair = enclosed_eigenpair(matrix.topLeftCorner(core, core), leading.pair);
-  if (!pair.missing.empty() || !certainly_positive(pair.value) || !certainly_less(pair.value, Interval(1))) {
-    map.method = pair.missing.empty() ? "the eigenvalue is not proved to lie between 0 and 1" : pair.missing;
-    return map;
-  }
+  if (!pair.missing.empty() || !certainly_positive(pair.value) || !certainly_less(pair.value, Interval(1)))
+    return sampled;
   const int row = inner_row(scheme.enclosed);
   const LatticeMask<Interval> mask = lattice_mask(scheme.enclosed);
   const CharacteristicNet<Interval> net =
       characteristic_net(fan, matrix, leading.mode, pair, mask, 2 * row + mask.last());
-  CharacteristicMap verdict = spline_verdict(net, *spline, row);
-  verdict.eigenvalue_of_mode_1 = map.eigenvalue_of_mode_1;
+  constexpr int levels = 6;
+  CharacteristicMap verdict = limits.spline ? spline_verdict(net, *limits.spline, row)
+                                            : enclosed_verdict(net, mask, *limits.bounds, levels);
+  if (verdict.regular == Decision::undecided || verdict.injective == Decision::undecided) return sampled;
+  if (!limits.spline) verdict.jacobian_ratio = sampled.jacobian_ratio;
+  verdict.eigenvalue_of_mode_1 = sampled.eigenvalue_of_mode_1;
   return verdict;
 }
 

@@ -47,8 +47,8 @@ struct CharacteristicMap {
   Decision injective = Decision::undecided;
   /// Of the map once around the vertex, counted on its curve; n divides winding - mode.
   std::optional<int> winding;
-  /// The smallest Jacobian found over the largest (the samples', or the Bernstein coefficients'); negative
-  /// when signs differ.
+  /// The smallest Jacobian found over the largest (the samples', or the Bernstein coefficients'),
+  /// approximate; negative when signs differ.
   double jacobian_ratio = 0;
   Rigour rigour = Rigour::approximate;
   std::string method;
@@ -67,9 +67,12 @@ struct MeshSchemeForms {
 /// Of a scheme without free parameters.
 [[nodiscard]] MeshSchemeForms mesh_scheme_forms(const MeshSchemeDescription& description);
 
-/// Certified where regular limit surfaces are known polynomials (uniform tensor-product B-splines of odd
-/// degree, quartic three-direction box splines); sampled otherwise. That the mode chosen has the largest
-/// eigenvalue is computed, not proved. valence >= 3.
+/// Certified in two ways where the scheme has an exact form: where regular limit surfaces are known
+/// polynomials (uniform tensor-product B-splines of odd degree, quartic three-direction box splines), by
+/// Bernstein coefficients (milliseconds); else, where limits are proved C^1 by contraction, by discs that
+/// contain the derivatives (derivative_bound.h; some 10 ms, up to a second where the Jacobian comes close to
+/// 0). Sampled where neither decides. That the mode chosen has the largest eigenvalue is computed, not
+/// proved. valence >= 3.
 [[nodiscard]] CharacteristicMap characteristic_map(const MeshSchemeForms& scheme, int valence);
 
 /// Approximate, for any scheme: exact derivative masks of the regular lattice, applied to the eigenvector's

@@ -8,6 +8,7 @@
 #include <functional>
 #include <numbers>
 
+#include "analysis/mesh/derivative_bound.h"
 #include "analysis/mesh/lattice_limits.h"
 
 namespace subdiv {
@@ -53,7 +54,6 @@ void expect_smooth(const CharacteristicMap& map, Rigour rigour) {
   EXPECT_EQ(map.injective, Decision::yes);
   EXPECT_EQ(map.winding, 1);
   EXPECT_EQ(map.rigour, rigour);
-  EXPECT_GT(map.jacobian_ratio, 0);
 }
 
 double evaluate(const SquarePatch& f, double u, double v) {
@@ -140,16 +140,62 @@ TEST(CharacteristicMap, SplineSchemesAreProvedRegularAndInjective) {
       // The two routes see the same Jacobians: those of samples lie among the Bernstein coefficients.
       const CharacteristicMap sampled = sampled_characteristic_map(scheme.rounded, n);
       expect_smooth(sampled, Rigour::approximate);
+      EXPECT_GT(map.jacobian_ratio, 0);
       EXPECT_LE(map.jacobian_ratio, sampled.jacobian_ratio + 1e-9);
       EXPECT_GT(map.jacobian_ratio, sampled.jacobian_ratio - 0.2);
     }
   }
 }
 
-TEST(CharacteristicMap, OtherSchemesAreSampled) {
-  for (const char* name : {"kobbelt", "jspline-mesh:s=-1/4", "jspline-mesh:s=sqrt(2)"}) {
-    for (const int n : {3, 5, 8, 20}) expect_smooth(characteristic_map(forms(name), n), Rigour::approximate);
+TEST(CharacteristicMap, OthersAreProvedByDiscsOfDerivatives) {
+  for (const char* name :
+       {"kobbelt", "jspline-mesh:s=-1/4", "jspline-mesh:s=1/2", "jspline-mesh-literal:s=1/2"}) {
+    for (const int n : {3, 5, 8}) {
+      SCOPED_TRACE(std::string(name) + " " + std::to_string(n));
+      expect_smooth(characteristic_map(forms(name), n), Rigour::certified);
+    }
   }
+}
+
+TEST(CharacteristicMap, SchemesWithoutExactFormAreSampled) {
+  for (const int n : {3, 5, 8, 20})
+    expect_smooth(characteristic_map(forms("jspline-mesh:s=sqrt(2)"), n), Rigour::approximate);
+}
+
+// Splines are known in two ways: by pieces and by discs.
+TEST(CharacteristicMap, DiscsAgreeWithBernsteinCoefficients) {
+  for (const char* name : {"catmull-clark", "jspline-mesh:s=3/2", "loop"}) {
+    SCOPED_TRACE(name);
+    const MeshSchemeForms scheme = forms(name);
+    const std::optional<DerivativeBounds> bounds = derivative_bounds(lattice_mask(*scheme.exact));
+    ASSERT_TRUE(bounds);
+    const LatticeMask<Interval> mask = trimmed(lattice_mask(scheme.enclosed));
+    for (const int n : {3, 7}) {
+      const CharacteristicNet<Interval> net = enclosed_net(name, n, 1, 2 * scheme.enclosed.reach + 2);
+      expect_smooth(enclosed_verdict(net, mask, *bounds, 6), Rigour::certified);
+    }
+    const CharacteristicMap twice =
+        enclosed_verdict(enclosed_net(name, 7, 2, 2 * scheme.enclosed.reach + 2), mask, *bounds, 6);
+    EXPECT_EQ(twice.winding, 2);
+    EXPECT_NE(twice.injective, Decision::yes);
+  }
+}
+
+TEST(DerivativeBound, FactorsAreAboveTheNormsOfKnownBasisFunctions) {
+  // B-splines are not negative: the norms are 1, and a bound comes close to it.
+  const LatticeWindow cubic = *lattice_window(spline_mask({4, 3}));
+  EXPECT_GE(cubic.factor, 1);
+  EXPECT_LT(cubic.factor, 1.4);
+  EXPECT_EQ(cubic.first, (LatticeOffset{-1, -1}));
+  EXPECT_EQ(cubic.size, (LatticeOffset{4, 4}));
+  // The derivative scheme of the cubic B-spline along a direction is the quadratic one in it.
+  const LatticeMask<Rational> quadratic = *derivative_scheme(spline_mask({4, 3}), true);
+  const std::array<Rational, 4> chaikin{Rational(1, 4), Rational(3, 4), Rational(3, 4), Rational(1, 4)};
+  for (int i = 0; i < 4; ++i)
+    EXPECT_EQ(quadratic(i - 1, 0), chaikin.at(static_cast<std::size_t>(i)) * Rational(3, 4));
+  // Limits that are not C^1 have no bounds: the four-point scheme's neighbour J_{-2}, and the hat function.
+  EXPECT_FALSE(derivative_bounds(lattice_mask(*forms("jspline-mesh:s=-2").exact)));
+  EXPECT_FALSE(derivative_bounds(spline_mask({4, 1})));
 }
 
 // The net of rings that one step of the scheme makes of a mesh is the net times the eigenvalue.
@@ -286,7 +332,7 @@ TEST(CharacteristicMap, EigenvaluesThatAreNotSimpleHaveNone) {
 // at valence 4.
 TEST(CharacteristicMap, ButterflyWindsTwice) {
   for (const int n : {4, 5, 6, 7})
-    expect_smooth(characteristic_map(forms("butterfly"), n), Rigour::approximate);
+    expect_smooth(sampled_characteristic_map(rounded("butterfly"), n), Rigour::approximate);
   const CharacteristicMap map = characteristic_map(forms("butterfly"), 8);
   EXPECT_EQ(map.mode, 2);
   EXPECT_EQ(map.winding, 2);
