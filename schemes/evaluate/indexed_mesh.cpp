@@ -5,8 +5,9 @@
 namespace subdiv {
 
 IndexedMesh refine_mesh(const MeshTopology& mesh, const std::vector<Point3>& points,
-                        const MeshScheme<double>& scheme, int levels, int threads) {
-  const MeshRefinement refinement(mesh, scheme, levels);
+                        const MeshScheme<double>& scheme, int levels, int threads,
+                        const FinalRule& final_rule) {
+  const MeshRefinement refinement(mesh, scheme, levels, final_rule);
   if (refinement.sides() == 0)
     throw std::invalid_argument("faces of one number of corners: at least one level");
   IndexedMesh result;

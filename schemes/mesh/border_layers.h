@@ -5,6 +5,7 @@
 #include <map>
 #include <vector>
 
+#include "schemes/mesh/jspline_mesh.h"
 #include "schemes/mesh/mesh_scheme.h"
 #include "schemes/mesh/mesh_topology.h"
 #include "schemes/mesh/stencil.h"
@@ -20,20 +21,6 @@ struct BorderLayers {
 };
 
 namespace detail {
-
-/// One step further along the border from the target of the border half-edge h, or back from its origin: the
-/// next border vertex, or beyond a corner the mirror image.
-template <class R>
-Stencil<R> border_continued(const MeshTopology& mesh, int from, int through, bool forward) {
-  if (mesh.face_count(through) > 1) {
-    const std::vector<int> around = neighbours(mesh, through);
-    return Stencil<R>(forward ? around.front() : around.back());
-  }
-  Stencil<R> mirror;
-  mirror.add(through, R(2));
-  mirror.add(from, R(-1));
-  return mirror;
-}
 
 /// P_0, P_1, P_2 of a border vertex with two faces or more: itself, the mean of its inner neighbours, the
 /// mean of the vertices beyond those (the mirror image where the mesh ends there or goes on irregularly).
@@ -103,9 +90,9 @@ BorderLayers<R> border_layers(const MeshTopology& mesh, const std::vector<std::a
     const int ahead = mesh.target(leaving);
     const int behind = mesh.origin(mesh.previous(leaving));
     const std::array<Stencil<R>, 3> backwards{Stencil<R>(v), Stencil<R>(ahead),
-                                              detail::border_continued<R>(mesh, v, ahead, true)};
+                                              border_beyond<R>(mesh, ahead, v)};
     const std::array<Stencil<R>, 3> onwards{Stencil<R>(v), Stencil<R>(behind),
-                                            detail::border_continued<R>(mesh, v, behind, false)};
+                                            border_beyond<R>(mesh, behind, v)};
     for (const auto& rule : rules) {
       in[v].push_back(add(detail::continued(backwards, rule)));
       out[v].push_back(add(detail::continued(onwards, rule)));
@@ -119,7 +106,7 @@ BorderLayers<R> border_layers(const MeshTopology& mesh, const std::vector<std::a
     for (std::size_t k = 0; k < rules.size(); ++k) {
       // The same line one column out; at the far end of a single face its mirror image.
       std::array<Stencil<R>, 3> line{stencil_of(beside[k]), stencil_of(out.at(behind)[k]), {}};
-      if (mesh.face_count(behind) > 1) {
+      if (mesh.face_count(behind) == 2) {
         line[2] = stencil_of(out.at(neighbours(mesh, behind).back())[k]);
       } else {
         line[2].add(line[1], R(2));

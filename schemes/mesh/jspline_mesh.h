@@ -23,20 +23,32 @@ struct OddRule {
   R diagonal;
 };
 
+/// The point that continues the line from a neighbour to the border vertex p, one step beyond p: along a
+/// border the next border vertex; where the border turns (a vertex of one face, or of three and more) or the
+/// line crosses it, the mirror image 2 p - neighbour.
+template <class R>
+Stencil<R> border_beyond(const MeshTopology& mesh, int p, int neighbour) {
+  if (mesh.face_count(p) == 2) {
+    const std::vector<int> around = neighbours(mesh, p);
+    if (neighbour == around.front()) return Stencil<R>(around.back());
+    if (neighbour == around.back()) return Stencil<R>(around.front());
+  }
+  Stencil<R> result;
+  result.add(p, R(2));
+  result.add(neighbour, R(-1));
+  return result;
+}
+
 /// The point that continues the line from the target of h through its origin p, one step beyond p. At valence
 /// 4 it is the vertex opposite. Else, with l_i and k_i the edge and diagonal neighbours of p, k_i between l_i
 /// and l_{i+1}, and h leading to l_i, it is virtual:
 ///   (4/n) sum l - (l_{i-1} + l_i + l_{i+1}) + g (k_{i-2} + k_{i-1} + k_i + k_{i+1} - (4/n) sum k).
-/// At the border it is the mirror image 2 p - l_i. Quads only.
+/// At the border it is border_beyond. Quads only.
 template <class R>
 Stencil<R> point_beyond(const MeshTopology& mesh, int h, const R& g) {
   const int p = mesh.origin(h);
+  if (mesh.is_border(p)) return border_beyond<R>(mesh, p, mesh.target(h));
   Stencil<R> result;
-  if (mesh.is_border(p)) {
-    result.add(p, R(2));
-    result.add(mesh.target(h), R(-1));
-    return result;
-  }
   const int n = mesh.valence(p);
   if (n == 4) return Stencil<R>(mesh.target(mesh.turn_left(mesh.turn_left(h))));
   const R share = ratio<R>(4, n);
@@ -57,16 +69,17 @@ Stencil<R> point_beyond(const MeshTopology& mesh, int h, const R& g) {
   return result;
 }
 
-/// The odd rule along the edge of h. A border edge gets its midpoint.
+/// The odd rule along the edge of h.
 template <class R>
 Stencil<R> odd_point(const MeshTopology& mesh, int h, const OddRule<R>& rule) {
   const int o = mesh.opposite(h);
-  if (o < 0) return edge_midpoint<R>(mesh, h);
   Stencil<R> result;
   result.add(mesh.origin(h), rule.inner);
   result.add(mesh.target(h), rule.inner);
   result.add(point_beyond(mesh, h, rule.diagonal), rule.outer);
-  result.add(point_beyond(mesh, o, rule.diagonal), rule.outer);
+  result.add(
+      o < 0 ? border_beyond<R>(mesh, mesh.target(h), mesh.origin(h)) : point_beyond(mesh, o, rule.diagonal),
+      rule.outer);
   return result;
 }
 
