@@ -47,7 +47,8 @@ struct MeshFile {
 [[nodiscard]] MeshTopology surface_of(const MeshFile& mesh);
 
 /// Writes a mesh: OBJ and OFF with the shortest decimals that read back as the same doubles, PLY in binary,
-/// the low byte first. Throws InputError when a coordinate is not finite.
+/// the low byte first; with normals where the mesh has them (OFF: NOFF). Throws InputError when a coordinate
+/// is not finite.
 void write_mesh(OutputFile& file, MeshFormat format, const IndexedMesh& mesh);
 void write_mesh(OutputFile& file, MeshFormat format, const PolygonFaces& faces,
                 std::span<const Point3> points);

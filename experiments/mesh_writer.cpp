@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <charconv>
@@ -5,6 +6,8 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <span>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -38,49 +41,92 @@ struct Faces {
   Corner corner;
 };
 
-template <class F>
-void write_text(OutputFile& file, MeshFormat format, std::span<const Point3> points, const F& faces) {
-  const bool obj = format == MeshFormat::obj;
-  if (!obj) file.write(fmt::format("OFF\n{} {} 0\n", points.size(), faces.count));
-  std::string text;
-  for (const Point3& point : points) {
-    text = obj ? "v " : "";
-    for (std::size_t c = 0; c < point.size(); ++c) {
-      if (c > 0) text += ' ';
-      append_number(text, point[c]);
-    }
-    file.write(text += '\n');
+void append_point(std::string& text, const Point3& point) {
+  for (const double x : point) {
+    if (!text.empty()) text += ' ';
+    append_number(text, x);
   }
+}
+
+/// Points, and their normals where there are any.
+struct Vertices {
+  std::span<const Point3> points;
+  std::span<const Point3> normals = {};
+};
+
+template <class F>
+void write_obj(OutputFile& file, const Vertices& vertices, const F& faces) {
+  std::string text;
+  const auto write_points = [&](const char* keyword, std::span<const Point3> points) {
+    for (const Point3& point : points) {
+      text = keyword;
+      append_point(text, point);
+      file.write(text += '\n');
+    }
+  };
+  write_points("v", vertices.points);
+  write_points("vn", vertices.normals);
   for (std::size_t f = 0; f < faces.count; ++f) {
-    const std::size_t degree = faces.degree(f);
-    text = obj ? "f" : std::to_string(degree);
-    for (std::size_t i = 0; i < degree; ++i) {
+    text = "f";
+    for (std::size_t i = 0; i < faces.degree(f); ++i) {
       text += ' ';
-      append_integer(text, faces.corner(f, i) + (obj ? 1 : 0));
+      append_integer(text, faces.corner(f, i) + 1);
+      if (vertices.normals.empty()) continue;
+      text += "//";
+      append_integer(text, faces.corner(f, i) + 1);
     }
     file.write(text += '\n');
   }
 }
 
 template <class F>
-void write_ply(OutputFile& file, std::span<const Point3> points, const F& faces) {
-  if (points.size() > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max()))
+void write_off(OutputFile& file, const Vertices& vertices, const F& faces) {
+  const bool normals = !vertices.normals.empty();
+  file.write(fmt::format("{}OFF\n{} {} 0\n", normals ? "N" : "", vertices.points.size(), faces.count));
+  std::string text;
+  for (std::size_t v = 0; v < vertices.points.size(); ++v) {
+    text.clear();
+    append_point(text, vertices.points[v]);
+    if (normals) append_point(text, vertices.normals[v]);
+    file.write(text += '\n');
+  }
+  for (std::size_t f = 0; f < faces.count; ++f) {
+    text = std::to_string(faces.degree(f));
+    for (std::size_t i = 0; i < faces.degree(f); ++i) {
+      text += ' ';
+      append_integer(text, faces.corner(f, i));
+    }
+    file.write(text += '\n');
+  }
+}
+
+void append_bytes(std::string& bytes, const Point3& point) {
+  for (const double x : point) {
+    if (!std::isfinite(x)) append_number(bytes, x);  // says so
+    append_bytes(bytes, x);
+  }
+}
+
+template <class F>
+void write_ply(OutputFile& file, const Vertices& vertices, const F& faces) {
+  const std::size_t count = vertices.points.size();
+  if (count > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max()))
     throw InputError("a .ply file numbers fewer vertices; write an .obj or .off file");
   std::size_t longest = 0;
   for (std::size_t f = 0; f < faces.count; ++f) longest = std::max(longest, faces.degree(f));
   const bool small = longest <= std::numeric_limits<std::uint8_t>::max();
+  const bool normals = !vertices.normals.empty();
   file.write(
       fmt::format("ply\nformat binary_little_endian 1.0\n"
-                  "element vertex {}\nproperty double x\nproperty double y\nproperty double z\n"
+                  "element vertex {}\nproperty double x\nproperty double y\nproperty double z\n{}"
                   "element face {}\nproperty list {} int vertex_indices\nend_header\n",
-                  points.size(), faces.count, small ? "uchar" : "uint"));
+                  count, normals ? "property double nx\nproperty double ny\nproperty double nz\n" : "",
+                  faces.count, small ? "uchar" : "uint"));
   std::string bytes;
-  for (const Point3& point : points) {
+  for (std::size_t v = 0; v < count; ++v) {
     bytes.clear();
-    for (const double x : point) {
-      if (!std::isfinite(x)) append_number(bytes, x);  // says so
-      append_bytes(bytes, x);
-    }
+    append_bytes(bytes, vertices.points[v]);
+    if (normals) append_bytes(bytes, vertices.normals[v]);
     file.write(bytes);
   }
   for (std::size_t f = 0; f < faces.count; ++f) {
@@ -98,11 +144,17 @@ void write_ply(OutputFile& file, std::span<const Point3> points, const F& faces)
 }
 
 template <class F>
-void write(OutputFile& file, MeshFormat format, std::span<const Point3> points, const F& faces) {
-  if (format == MeshFormat::ply) {
-    write_ply(file, points, faces);
-  } else {
-    write_text(file, format, points, faces);
+void write(OutputFile& file, MeshFormat format, const Vertices& vertices, const F& faces) {
+  switch (format) {
+    case MeshFormat::obj:
+      write_obj(file, vertices, faces);
+      return;
+    case MeshFormat::off:
+      write_off(file, vertices, faces);
+      return;
+    case MeshFormat::ply:
+      write_ply(file, vertices, faces);
+      return;
   }
 }
 
@@ -114,14 +166,14 @@ void write_mesh(OutputFile& file, MeshFormat format, const IndexedMesh& mesh) {
                     [&mesh, sides](std::size_t f, std::size_t i) {
                       return static_cast<long long>(mesh.corners[f * sides + i]);
                     }};
-  write(file, format, mesh.points, faces);
+  write(file, format, {mesh.points, mesh.normals}, faces);
 }
 
 void write_mesh(OutputFile& file, MeshFormat format, const PolygonFaces& polygons,
                 std::span<const Point3> points) {
   const Faces faces{polygons.faces(), [&](std::size_t f) { return polygons.face(f).size(); },
                     [&](std::size_t f, std::size_t i) { return polygons.face(f)[i]; }};
-  write(file, format, points, faces);
+  write(file, format, {points}, faces);
 }
 
 }  // namespace subdiv

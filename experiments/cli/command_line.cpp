@@ -211,7 +211,8 @@ struct CommandLine {
                     "Make the limit pass through the points: direct, or by the papers' iteration")
         ->type_name("HOW")
         ->check(CLI::IsMember({"direct", "iteration"}));
-    verb.add_flag("--limit", options.limit, "Write the limit points of the last level");
+    verb.add_flag("--limit", options.limit,
+                  "Write the limit points of the last level, of a mesh with normals");
     constexpr int most_threads = 1024;
     verb.add_option("--threads", options.threads, "Threads for a mesh (default: one a processor)")
         ->type_name("N")

@@ -5,12 +5,14 @@
 #include <limits>
 #include <new>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "analysis/mesh/limit_mesh.h"
 #include "experiments/mesh_file.h"
 #include "experiments/mesh_pictures.h"
 #include "schemes/algebra/rational.h"
@@ -139,9 +141,21 @@ int threads_of(const RefineOptions& options) {
   return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
 }
 
+/// The limit positions of the vertices of the last level, with normals.
+IndexedMesh limit_points(const MeshFile& input, const MeshTopology& mesh, const MeshScheme<double>& scheme,
+                         const RefineOptions& options) {
+  if (options.levels == 0 && mesh.sides() == 0)
+    throw InputError("--limit: faces of different numbers of corners become quads by a step: --levels 1");
+  try {
+    return limit_mesh(mesh, input.points, scheme, options.levels, threads_of(options));
+  } catch (const std::domain_error& error) {
+    throw InputError("--limit: " + options.scheme + ": " + error.what());
+  }
+}
+
 void write_refined(OutputFile& file, const MeshOutput& output, const MeshFile& input,
                    const MeshTopology& mesh, const MeshScheme<double>& scheme, const RefineOptions& options) {
-  if (options.levels == 0) {
+  if ((options.levels == 0 && !options.limit) || input.faces.faces() == 0) {  // nothing changes
     if (output.picture) {
       write_picture(file, mesh_quads(input.faces, input.points), mesh.is_closed());
     } else {
@@ -149,7 +163,9 @@ void write_refined(OutputFile& file, const MeshOutput& output, const MeshFile& i
     }
     return;
   }
-  const IndexedMesh refined = refine_mesh(mesh, input.points, scheme, options.levels, threads_of(options));
+  const IndexedMesh refined =
+      options.limit ? limit_points(input, mesh, scheme, options)
+                    : refine_mesh(mesh, input.points, scheme, options.levels, threads_of(options));
   if (output.picture) {
     write_picture(file, mesh_quads(refined), mesh.is_closed());
   } else {
@@ -167,8 +183,6 @@ bool is_about_meshes(const RefineOptions& options) {
 int refine_mesh_file(const RefineOptions& options) {
   const MeshSchemeDescription scheme = evaluated_mesh_scheme(options.scheme);
   refuse_options(options);
-  if (options.limit)
-    throw InputError("--limit: limit positions of meshes are not available; leave the option out");
   const MeshOutput output = mesh_output(options.out);
   const MeshFile input = mesh_input(options);
   const MeshTopology mesh = surface_of(input);

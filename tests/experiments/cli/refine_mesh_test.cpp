@@ -111,6 +111,26 @@ TEST_F(RefineMesh, TheDirectionalSchemeAtOneIsCatmullClark) {
   }
 }
 
+TEST_F(RefineMesh, LimitPointsOfCatmullClark) {
+  // Halstead, Kass, DeRose 1993: (n^2 V + 4 sum of edge neighbours + sum of diagonal ones)/(n (n + 5)); at a
+  // corner of the cube, n = 3: (9 (1,1,1) + 4 (1,1,1) + (-1,-1,-1))/24 = 1/2. The normal is diagonal.
+  for (const char* level : {"0", "2"}) {
+    for (const char* name : {"limit.obj", "limit.off", "limit.ply"}) {
+      done({"catmull-clark", "cube.obj", "-k", level, "--limit", "-o", name});
+      for (const double x : mesh(name).points[6]) EXPECT_NEAR(x, 0.5, 1e-14);
+    }
+  }
+  done({"catmull-clark", "cube.obj", "-k", "0", "--limit", "-o", "limit.off"});
+  const std::string off = text("limit.off");
+  EXPECT_EQ(off.substr(0, 5), "NOFF\n");
+  expect_contains(off, "0.577350269189");
+  done({"catmull-clark", "cube.obj", "-k", "0", "--limit", "-o", "limit.obj"});
+  expect_contains(text("limit.obj"), "\nvn ");
+  expect_contains(text("limit.obj"), "//");
+  file("mixed.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0.5 0\nf 1 2 3 4\nf 2 5 3\n");
+  rejects({"catmull-clark", "mixed.obj", "-k", "0", "--limit", "-o", "x.obj"}, {"--limit", "--levels 1"});
+}
+
 TEST_F(RefineMesh, PicturesShowTheFaces) {
   done({"catmull-clark", "cube.obj", "-k", "3", "-o", "cube.svg"});
   const std::string svg = text("cube.svg");
