@@ -222,7 +222,7 @@ const RegularLimits& regular_limits(const LatticeMask<Rational>& mask, int sides
     RegularLimits limits;
     limits.spline = spline_with_mask(mask, sides);
     if (!limits.spline) limits.bounds = derivative_bounds(mask);
-    known = Known{mask, sides, std::move(limits)};
+    known = Known{mask, sides, limits};
   }
   return known->limits;
 }

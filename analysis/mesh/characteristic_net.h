@@ -81,7 +81,10 @@ void extend(CharacteristicNet<R>& net, const LatticeMask<R>& mask, int rings) {
       for (int i = -last + (a + last) % 2; i <= last; i += 2) {
         for (int j = -last + (b + last) % 2; j <= last; j += 2) {
           const R& weight = mask(i, j);
-          if (!is_zero(weight)) sum = sum + weight * net.at((a - i) / 2, (b - j) / 2);
+          if (is_zero(weight)) continue;
+          const PlaneNumber<R> point = net.at((a - i) / 2, (b - j) / 2);
+          add_product(sum.x, weight, point.x);
+          add_product(sum.y, weight, point.y);
         }
       }
       return inverse * sum;

@@ -21,7 +21,8 @@ bool reproduces_constants(const LatticeMask<Rational>& mask) {
   std::array<Rational, 4> sums;
   for (int i = -mask.last(); i <= mask.last(); ++i) {
     for (int j = -mask.last(); j <= mask.last(); ++j)
-      sums.at(static_cast<std::size_t>(2 * std::abs(i % 2) + std::abs(j % 2))) += mask(i, j);
+      sums.at(2 * static_cast<std::size_t>(std::abs(i % 2)) + static_cast<std::size_t>(std::abs(j % 2))) +=
+          mask(i, j);
   }
   return std::ranges::all_of(sums, [](const Rational& sum) { return sum == Rational(1); });
 }
@@ -162,10 +163,13 @@ std::optional<double> difference_factor(const Steps& steps, const Words& words) 
 using CurveMask = std::vector<Rational>;  // from index -last on
 std::optional<std::pair<CurveMask, CurveMask>> tensor_factors(const LatticeMask<Rational>& mask) {
   const int last = mask.last();
-  const auto size = static_cast<std::size_t>(2 * last + 1);
+  const std::size_t size = 2 * static_cast<std::size_t>(last) + 1;
   CurveMask first(size);
   CurveMask second(size);
-  const auto slot = [&](int i) { return static_cast<std::size_t>(i + last); };
+  const auto slot = [&](int i) {
+    const int index = i + last;
+    return static_cast<std::size_t>(index);
+  };
   const Rational half(1, 2);
   for (int i = -last; i <= last; ++i) {
     for (int j = -last; j <= last; ++j) {
@@ -190,8 +194,9 @@ std::optional<double> curve_norm(const CurveMask& mask, int last, int first, int
     Matrix<double> half = Matrix<double>::Zero(size, size);
     for (int row = 0; row < size; ++row) {
       for (int column = 0; column < size; ++column) {
-        const int i = e + first + row - 2 * (first + column);
-        if (-last <= i && i <= last) half(row, column) = mask[static_cast<std::size_t>(i + last)].to_double();
+        const int slot = last + e + first + row - 2 * (first + column);
+        if (0 <= slot && slot <= 2 * last)
+          half(row, column) = mask[static_cast<std::size_t>(slot)].to_double();
       }
     }
     steps.matrices.push_back(std::move(half));
