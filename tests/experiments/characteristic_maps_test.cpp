@@ -18,21 +18,16 @@ const Results& results() {
   return all;
 }
 
-TEST(CharacteristicMaps, SplineSchemesAreProved) {
-  for (const char* id :
-       {"mesh.characteristic-map.catmull-clark", "mesh.characteristic-map.quintic",
-        "mesh.characteristic-map.loop", "mesh.characteristic-map.loop-1987", "notes.butterfly.winds-twice"}) {
+TEST(CharacteristicMaps, AllAreProved) {
+  for (const char* id : {"mesh.characteristic-map.catmull-clark", "mesh.characteristic-map.quintic",
+                         "mesh.characteristic-map.loop", "mesh.characteristic-map.loop-1987",
+                         "mesh.characteristic-map.kobbelt", "mesh.characteristic-map.directional",
+                         "mesh.characteristic-map.literal", "notes.butterfly.winds-twice"}) {
     const Claim& claim = test::find_claim(results().claims, id);
     EXPECT_EQ(claim.verdict, Verdict::established) << id;
     EXPECT_EQ(claim.rigour, Rigour::certified) << id;
   }
-}
-
-TEST(CharacteristicMaps, SampledOnesClaimNoProof) {
-  const Claim& claim = test::find_claim(results().claims, "mesh.characteristic-map.sampled");
-  EXPECT_EQ(claim.verdict, Verdict::consistent);
-  EXPECT_EQ(claim.rigour, Rigour::approximate);
-  EXPECT_EQ(test::find_claim(results().claims, "figure.characteristic-maps").verdict, Verdict::consistent);
+  EXPECT_EQ(test::find_claim(results().claims, "figure.characteristic-maps").verdict, Verdict::reproduced);
 }
 
 TEST(CharacteristicMaps, EveryHeadIsSettledOnce) {
