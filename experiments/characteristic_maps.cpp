@@ -12,9 +12,12 @@ namespace subdiv {
 namespace {
 
 const std::string map_is_smooth =
-    "The characteristic map, of the eigenvector of the largest eigenvalue of the modes k, 0 < k < n/2: the "
-    "Jacobian has one sign on the closed ring, and the winding number of its inner boundary is 1 or -1 (then "
-    "the map is a covering of one sheet). ";
+    "The map of an eigenvector of mode 1, the eigenvalue enclosed and proved simple (it is the largest of "
+    "all "
+    "modes k, 0 < k < n/2, as computed; that it is sub-dominant is a record of its own): the Jacobian has "
+    "one "
+    "sign on the closed ring, and the winding number of its inner boundary is 1 or -1 (then the map is a "
+    "covering of one sheet). ";
 const std::string proved =
     map_is_smooth +
     "Signs of Bernstein coefficients over intervals, eigenvectors by Krawczyk's test, for the valences 3 .. "
@@ -29,7 +32,8 @@ const std::array table{
         "figure.characteristic-maps", "jsplines", "10, figure 13",
         "characteristic maps for our combined surface subdivision scheme at valences 3, 5, 6, 7, 8 and 20",
         ClaimKind::exact,
-        "For s = -1/4, 1/2 and 3/2 with the directional extension of J_s: the 18 maps exist, and are "
+        "For s = -1/4, 1/2 and 3/2 with the directional extension of J_s: the 18 maps of mode 1 exist, and "
+        "are "
         "regular and injective. Second route: one step of the scheme on the "
         "whole mesh of all sectors maps the drawn net to itself times the eigenvalue of its Fourier "
         "mode."},
