@@ -13,8 +13,8 @@
 namespace subdiv {
 
 /// Memory for large results that are written once, from first to last: elements are not initialised (so that
-/// memory is not written twice), and large pages are asked for (touching fresh memory page by small page costs
-/// more than the arithmetic that fills it).
+/// memory is not written twice), and large pages are asked for (touching fresh memory page by small page
+/// costs more than the arithmetic that fills it).
 template <class T>
 struct FreshAllocator {
   using value_type = T;

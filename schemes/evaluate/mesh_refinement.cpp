@@ -282,7 +282,7 @@ MeshRefinement::MeshRefinement(const MeshTopology& mesh, const MeshScheme<double
                                const FinalRule& final_rule)
     : control_vertices_(static_cast<std::size_t>(mesh.vertices())), result_(mesh) {
   check_size(mesh, scheme, levels);
-  int left = levels;
+  int left = mesh.faces() == 0 ? 0 : levels;
   // Other polygons are split into quads once, by rules that need no layers.
   if (left > 0 && scheme.split == MeshSplit::quads && mesh.sides() != 4) {
     steps_.emplace_back(step_rows(result_, scheme));

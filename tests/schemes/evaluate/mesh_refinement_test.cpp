@@ -175,6 +175,7 @@ TEST(MeshRefinement, EmptyAndLooseAndNoLevels) {
   EXPECT_EQ(empty.vertices(), 0U);
   EXPECT_EQ(empty.faces(), 0U);
   EXPECT_TRUE(points_of(empty, {}).empty());
+  EXPECT_EQ(MeshRefinement(MeshTopology{PolygonFaces{}}, loop<double>(), 2).faces(), 0U);
   PolygonFaces loose = sample::cube();
   loose.vertices = 9;
   const MeshTopology mesh(loose);
