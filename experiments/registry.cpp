@@ -11,6 +11,7 @@
 #include "experiments/interpolation.h"
 #include "experiments/limit_masks.h"
 #include "experiments/mesh_figures.h"
+#include "experiments/mesh_smoothness.h"
 #include "experiments/named_smoothness.h"
 #include "experiments/polygon_curves.h"
 #include "experiments/popping.h"
@@ -55,6 +56,8 @@ std::span<const Experiment> experiments() {
       Experiment{"ringing", "Ringing (js-report 12, 14, appendix)", ringing_heads, run_ringing},
       Experiment{"surfaces", "Grid surfaces: ringing and popping (js-report 9, 13, 14; jsplines 10, 11)",
                  surface_heads, run_surfaces},
+      Experiment{"mesh-smoothness", "Eigenvalues at extraordinary vertices (jsplines 10; notes 4, 5)",
+                 mesh_smoothness_heads, run_mesh_smoothness},
       Experiment{"characteristic-maps", "Characteristic maps of mesh schemes (jsplines 10, notes 4, 5)",
                  characteristic_map_heads, run_characteristic_maps},
       Experiment{"mesh-figures", "Figures of meshes, weights of Loop and butterfly (jsplines 10; notes 4, 5)",

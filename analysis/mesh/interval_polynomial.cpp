@@ -61,7 +61,7 @@ Interval value_at(const IntervalPolynomial& p, const Interval& x) {
 }
 
 Interval PolynomialFamily::value(const Interval& x) const {
-  const Interval centre = value_at(middle, x);
+  Interval centre = value_at(middle, x);
   if (half_width.is_exactly_zero()) return centre;
   return centre + Interval::hull(-half_width, half_width) * value_at(slope, x);
 }

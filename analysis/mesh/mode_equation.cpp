@@ -26,7 +26,7 @@ Matrix<Function> turning_block(const MeshScheme<Function>& scheme) {
   const auto sector = [&](int j) -> const Matrix<Function>& {
     return fan.blocks[static_cast<std::size_t>((j + valence) % valence)];
   };
-  const Matrix<Function> far = sector(reach + 1);
+  const Matrix<Function>& far = sector(reach + 1);
   if (sector(-reach - 1) != far) throw std::logic_error("a rule reaches more than 4 sectors away");
   Matrix<Function> result = zero_matrix<Function>(fan.places(), fan.places());
   for (int j = -reach; j <= reach; ++j) {
