@@ -50,6 +50,7 @@ struct CommandLine {
   AnalyzeOptions analyze_options;
   OptimizeOptions optimize_options;
   CertifyOptions certify_options;
+  EigenOptions eigen_options;
   RefineOptions refine_options;
   std::pair<std::string, std::string> refine_words;  // in the order in which they stand
   MeasureOptions measure_options;
@@ -66,6 +67,7 @@ struct CommandLine {
     add_analyze();
     add_optimize();
     add_certify();
+    add_eigen();
     add_refine();
     add_measure();
     add_list();
@@ -176,6 +178,27 @@ struct CommandLine {
                             "--continuity 1 --json\n\n") +
                 exit_codes);
     verb.callback([this] { action = [this] { return certify(certify_options); }; });
+  }
+
+  void add_eigen() {
+    auto& options = eigen_options;
+    CLI::App& verb = *app.add_subcommand(
+        "eigen", "Eigenvalues and characteristic maps at extraordinary vertices of meshes");
+    verb.add_option("SCHEME", options.scheme, "A mesh scheme; a name as a value leaves its parameter free")
+        ->required();
+    verb.add_option("--valence", options.valence, "The valences, one answer each")
+        ->type_name("N|LO..HI")
+        ->required();
+    verb.add_option("--over", options.over, "A range for the free parameter: where the condition holds")
+        ->type_name("s=LO..HI");
+    verb.add_flag("--json", options.json, "Machine-readable output; numbers are strings");
+    verb.footer(
+        std::string("Condition: 1 > lambda > all other moduli, lambda real, of mode 1 and simple there (Reif "
+                    "1995).\n\n"
+                    "Examples:  subdivlab eigen catmull-clark --valence 3..30\n"
+                    "           subdivlab eigen jspline-mesh:s=s --valence 5 --over s=-2..6 --json\n\n") +
+        exit_codes);
+    verb.callback([this] { action = [this] { return eigen(eigen_options); }; });
   }
 
   void add_refine() {

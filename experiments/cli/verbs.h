@@ -59,6 +59,15 @@ struct CertifyOptions {
 /// Proves or refutes a class of continuity for all values of the scheme's free parameters in a box.
 [[nodiscard]] int certify(const CertifyOptions& options);
 
+struct EigenOptions {
+  std::string scheme;   // a mesh scheme; at most one free parameter
+  std::string valence;  // "5" or "3..30"
+  std::string over;     // "s=LO..HI" for the free parameter
+  bool json = false;
+};
+/// Eigenvalues and characteristic maps at extraordinary vertices, one answer a valence.
+[[nodiscard]] int eigen(const EigenOptions& options);
+
 struct RefineOptions {
   std::string scheme;
   int levels = 0;

@@ -53,13 +53,18 @@ MeshScheme<R> loop_without_exception() {
 }
 
 /// Loop's own weights (Loop: Smooth subdivision surfaces based on triangles, 1987): the neighbours share
-/// 5/8 - (3/8 + cos(2 pi/n)/4)^2.
-template <class R>
-MeshScheme<R> loop_1987() {
-  return detail::loop_with_weight<R>("loop-1987", [](int n) {
-    const R root = ratio<R>(3, 8) + ratio<R>(1, 4) * cosine_of_turn<R>(1, n);
+/// 5/8 - (3/8 + cos(2 pi/n)/4)^2. cosine(n) is cos(2 pi/n): a value, or an indeterminate that stands for it.
+template <class R, class Cosine>
+MeshScheme<R> loop_1987(Cosine cosine) {
+  return detail::loop_with_weight<R>("loop-1987", [cosine](int n) {
+    const R root = ratio<R>(3, 8) + ratio<R>(1, 4) * cosine(n);
     return ratio<R>(5, 8) - root * root;
   });
+}
+
+template <class R>
+MeshScheme<R> loop_1987() {
+  return loop_1987<R>([](int n) { return cosine_of_turn<R>(1, n); });
 }
 
 }  // namespace subdiv

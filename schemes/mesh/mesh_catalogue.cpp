@@ -240,7 +240,12 @@ template MeshScheme<Algebraic> mesh_scheme(const MeshSchemeDescription&, std::sp
 template MeshScheme<RationalFunction> mesh_scheme(const MeshSchemeDescription&,
                                                   std::span<const RationalFunction>);
 
-MeshScheme<RationalFunction> symbolic_mesh_scheme(const MeshSchemeDescription& description) {
+MeshScheme<RationalFunction> symbolic_mesh_scheme(const MeshSchemeDescription& description,
+                                                  std::optional<int> turn_variable) {
+  if (turn_variable && description.family->name == "loop-1987") {
+    return loop_1987<RationalFunction>(
+        [turn = RationalFunction::variable(*turn_variable)](int /*n*/) { return turn; });
+  }
   std::vector<RationalFunction> variables;
   for (std::size_t i = 0; i < description.free_parameters.size(); ++i)
     variables.push_back(RationalFunction::variable(static_cast<int>(i)));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -57,7 +58,9 @@ template <class R>
 [[nodiscard]] MeshScheme<R> mesh_scheme(const MeshSchemeDescription& description,
                                         std::span<const R> free_values = {});
 
-/// The scheme over the rational functions of its free parameters, x_i for free parameter i.
-[[nodiscard]] MeshScheme<RationalFunction> symbolic_mesh_scheme(const MeshSchemeDescription& description);
+/// The scheme over the rational functions of its free parameters, x_i for free parameter i. Where x_t is
+/// given, t = turn_variable, it stands for cos(2 pi/n) in rules at a vertex of valence n.
+[[nodiscard]] MeshScheme<RationalFunction> symbolic_mesh_scheme(const MeshSchemeDescription& description,
+                                                                std::optional<int> turn_variable = {});
 
 }  // namespace subdiv
