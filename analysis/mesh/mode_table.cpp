@@ -60,6 +60,26 @@ ModeTable::AtParameter ModeTable::at(const Rational& lower, const Rational& uppe
   return result;
 }
 
+std::vector<ParameterPolynomial> ModeTable::factors(const Interval& c) const {
+  std::vector<ParameterPolynomial> result;
+  for (const Factor& factor : factors_) {
+    ParameterPolynomial p;
+    for (const std::vector<IntervalPolynomial>& row : factor.coefficients) {
+      p.emplace_back();
+      Interval power(1);
+      for (const IntervalPolynomial& in_parameter : row) {
+        if (p.back().size() < in_parameter.size()) p.back().resize(in_parameter.size(), Interval(0));
+        for (std::size_t j = 0; j < in_parameter.size(); ++j) {
+          add_product(p.back()[j], in_parameter[j], power);
+        }
+        power *= c;
+      }
+    }
+    result.push_back(std::move(p));
+  }
+  return result;
+}
+
 void ModeTable::AtParameter::append(const Factor& factor, const Interval& c, const Interval& half_width,
                                     ModeFactors& result) {
   PolynomialFamily p{{}, {}, half_width};

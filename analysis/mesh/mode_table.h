@@ -11,6 +11,9 @@ namespace subdiv {
 /// The factors of a mode's characteristic polynomial for given parameters and turn, with multiplicities.
 using ModeFactors = std::vector<std::pair<PolynomialFamily, int>>;
 
+/// A polynomial in x whose coefficients are polynomials in s: [i][j] belongs to x^i s^j.
+using ParameterPolynomial = std::vector<IntervalPolynomial>;
+
 /// A mode equation prepared for evaluation at many intervals of its one parameter s = x_0 and many turns c.
 class ModeTable {
  public:
@@ -42,6 +45,9 @@ class ModeTable {
   };
 
   [[nodiscard]] AtParameter at(const Rational& lower, const Rational& upper) const;
+
+  /// The factors as polynomials in x and s at one turn, each once.
+  [[nodiscard]] std::vector<ParameterPolynomial> factors(const Interval& c) const;
 
  private:
   struct Factor {

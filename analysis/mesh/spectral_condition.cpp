@@ -210,6 +210,24 @@ Decision SpectralCondition::decide(const Rational& lower, const Rational& upper)
   return Cell(*this, lower, upper, bounds).decide();
 }
 
+std::optional<std::vector<int>> SpectralCondition::beyond(const Rational& lower, const Rational& upper,
+                                                          const Interval& radius) const {
+  const ModeTable::AtParameter turning = turning_.at(lower, upper);
+  const ModeTable::AtParameter invariant = invariant_.at(lower, upper);
+  std::vector<int> result;
+  for (int k = 0; k <= last_mode(); ++k) {
+    const Counters counters(k == 0 ? invariant.at_turn(turn(1)) : turning.at_turn(turn(k)), false);
+    const std::optional<int> count = counters.beyond(radius);
+    if (!count) return std::nullopt;
+    result.push_back(*count);
+  }
+  return result;
+}
+
+std::vector<ParameterPolynomial> SpectralCondition::factors(int mode) const {
+  return mode == 0 ? invariant_.factors(turn(1)) : turning_.factors(turn(mode));
+}
+
 void SpectralCondition::split(const Rational& lower, const Rational& upper, const Rational& width,
                               std::vector<Interval> bounds, std::vector<ConditionCell>& result) const {
   const Decision decision = Cell(*this, lower, upper, bounds).decide();

@@ -58,6 +58,15 @@ class SpectralCondition {
   /// The other eigenvalue of the largest modulus, whether or not the condition holds.
   [[nodiscard]] Rival rival(const Rational& s) const;
 
+  /// The numbers of eigenvalues of the modes 0 .. n/2, the 1 of mode 0 left out, outside the circle, the same
+  /// for all s of [lower, upper], none of them on it; nothing when that is not proved.
+  [[nodiscard]] std::optional<std::vector<int>> beyond(const Rational& lower, const Rational& upper,
+                                                       const Interval& radius) const;
+
+  /// The factors of a mode's characteristic polynomial, that of the 1 of mode 0 left out, as polynomials in x
+  /// and s.
+  [[nodiscard]] std::vector<ParameterPolynomial> factors(int mode) const;
+
  private:
   class Cell;
   [[nodiscard]] const Interval& turn(int mode) const { return turns_[static_cast<std::size_t>(mode)]; }
