@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <functional>
 #include <iostream>
 #include <optional>
 #include <stdexcept>
@@ -82,33 +83,76 @@ Json interval_json(const Interval& x, Rigour rigour) {
   return {{"lower", ends.lower}, {"upper", ends.upper}};
 }
 
-/// The eigenvalues of a mode: enclosures, or approximate ones where roots cannot be told apart.
-Json mode_json(const ModeTable& table, const SpectralCondition& condition, int mode) {
-  Json values = Json::array();
-  const Interval c = cosine_of_turn<Interval>(std::max(mode, 1), condition.valence());
-  for (const auto& [factor, multiplicity] : table.at(Rational(0), Rational(0)).at_turn(c)) {
-    if (const auto roots = enclosed_roots(factor.middle)) {
-      for (const ComplexRoot& root : *roots) {
-        values.push_back({{"real", interval_json(root.real, Rigour::certified)},
-                          {"imaginary", interval_json(root.imaginary, Rigour::certified)},
-                          {"multiplicity", multiplicity * root.multiplicity},
-                          {"rigour", "certified"}});
+/// An eigenvalue of a mode k, 0 <= k <= n/2; `copies` counts those of mode n - k with it.
+struct ModeRoot {
+  int mode = 0;
+  Interval real;
+  Interval imaginary;
+  int multiplicity = 1;
+  int copies = 1;
+  Rigour rigour = Rigour::certified;
+};
+
+Interval modulus(const ModeRoot& root) {
+  if (root.imaginary.is_exactly_zero()) return abs(root.real);
+  return sqrt(root.real * root.real + root.imaginary * root.imaginary);
+}
+
+/// All eigenvalues by mode: enclosures, or approximate ones where Arb cannot tell roots apart.
+std::vector<ModeRoot> spectrum(const Equations& equations, int valence) {
+  const ModeTable turning(equations.turning);
+  const ModeTable invariant(invariant_mode(equations.scheme, valence));
+  const Rational none(0);  // there is no parameter
+  std::vector<ModeRoot> result;
+  for (int k = 0; 2 * k <= valence; ++k) {
+    const Interval c = cosine_of_turn<Interval>(std::max(k, 1), valence);
+    const int mirrored = k > 0 && 2 * k < valence ? 2 : 1;
+    for (const auto& [factor, multiplicity] : (k == 0 ? invariant : turning).at(none, none).at_turn(c)) {
+      if (const auto roots = enclosed_roots(factor.middle)) {
+        for (const ComplexRoot& root : *roots) {
+          const int times = multiplicity * root.multiplicity;
+          result.push_back({k, root.real, root.imaginary, times, mirrored * times, Rigour::certified});
+        }
+        continue;
       }
-      continue;
-    }
-    for (const std::complex<double>& root : approximate_roots(factor.middle)) {
-      values.push_back({{"real", interval_json(Interval(root.real()), Rigour::approximate)},
-                        {"imaginary", interval_json(Interval(root.imag()), Rigour::approximate)},
-                        {"multiplicity", multiplicity},
-                        {"rigour", "approximate"}});
+      for (const std::complex<double>& root : approximate_roots(factor.middle)) {
+        result.push_back({k, Interval(root.real()), Interval(root.imag()), multiplicity,
+                          mirrored * multiplicity, Rigour::approximate});
+      }
     }
   }
-  return {{"mode", mode}, {"values", std::move(values)}};
+  return result;
+}
+
+/// The moduli but for one eigenvalue 1 of mode 0, each as often as it occurs, largest first: the i-th largest
+/// lies between the i-th largest lower end and the i-th largest upper end.
+std::vector<Interval> ordered_moduli(const std::vector<ModeRoot>& roots) {
+  std::vector<Rational> lower;
+  std::vector<Rational> upper;
+  bool one_left_out = false;
+  for (const ModeRoot& root : roots) {
+    const Interval size = modulus(root);
+    int copies = root.copies;
+    if (root.mode == 0 && !one_left_out && size.contains(Rational(1))) {
+      one_left_out = true;
+      --copies;
+    }
+    lower.insert(lower.end(), static_cast<std::size_t>(copies), size.lower());
+    upper.insert(upper.end(), static_cast<std::size_t>(copies), size.upper());
+  }
+  std::sort(lower.begin(), lower.end(), std::greater<>());
+  std::sort(upper.begin(), upper.end(), std::greater<>());
+  std::vector<Interval> result;
+  for (std::size_t i = 0; i < lower.size(); ++i)
+    result.push_back(
+        Interval::hull(Interval(lower[i], ModeTable::precision), Interval(upper[i], ModeTable::precision)));
+  return result;
 }
 
 /// What is known at one valence, for a scheme without free parameters.
 struct Answer {
   int valence = 0;
+  std::vector<ModeRoot> roots;
   Decision condition = Decision::undecided;
   Interval subdominant;
   Interval next;
@@ -119,24 +163,20 @@ struct Answer {
 /// Ties are looked for up to this valence: exact eigenvalues of larger matrices take seconds.
 constexpr int most_exact_valence = 12;
 
-Answer answer_at(const SpectralCondition& condition, const MeshSchemeForms& forms) {
+Answer answer_at(const Equations& equations, const MeshSchemeForms& forms, int valence) {
   Answer answer;
-  answer.valence = condition.valence();
-  answer.condition = condition.decide(Rational(0));
-  if (answer.condition == Decision::undecided && forms.exact && answer.valence <= most_exact_valence)
-    answer.condition = exact_condition(*forms.exact, answer.valence);
-  if (const auto leading = condition.leading(Rational(0))) {
-    answer.subdominant = leading->subdominant;
-    answer.next = leading->next;
-  } else {
-    // The largest two moduli but for 1, whatever their modes: a pair of one mode counts once.
-    const Rival rival = condition.rival(Rational(0));
-    const double other = std::abs(rival.value);
-    answer.subdominant = Interval(std::max(rival.subdominant, other));
-    answer.next = Interval(std::min(rival.subdominant, other));
-    answer.rigour = Rigour::approximate;
+  answer.valence = valence;
+  answer.roots = spectrum(equations, valence);
+  answer.condition = equations.condition(valence).decide(Rational(0));
+  if (answer.condition == Decision::undecided && forms.exact && valence <= most_exact_valence)
+    answer.condition = exact_condition(*forms.exact, valence);
+  const std::vector<Interval> moduli = ordered_moduli(answer.roots);
+  answer.subdominant = moduli[0];
+  answer.next = moduli[2];  // after the pair
+  for (const ModeRoot& root : answer.roots) {
+    if (root.rigour == Rigour::approximate) answer.rigour = Rigour::approximate;
   }
-  answer.map = characteristic_map(forms, condition.valence());
+  answer.map = characteristic_map(forms, valence);
   return answer;
 }
 
@@ -162,11 +202,17 @@ Json parameters_json(const MeshSchemeDescription& description) {
   return json;
 }
 
-Json answer_json(const Answer& answer, const SpectralCondition& condition, const ModeTable& turning,
-                 const ModeTable& invariant, const MeshSchemeDescription& description) {
+Json answer_json(const Answer& answer, const MeshSchemeDescription& description) {
   Json modes = Json::array();
-  for (int k = 0; 2 * k <= answer.valence; ++k)
-    modes.push_back(mode_json(k == 0 ? invariant : turning, condition, k));
+  for (const ModeRoot& root : answer.roots) {
+    if (static_cast<std::size_t>(root.mode) == modes.size())
+      modes.push_back({{"mode", root.mode}, {"values", Json::array()}});
+    modes[static_cast<std::size_t>(root.mode)]["values"].push_back(
+        {{"real", interval_json(root.real, root.rigour)},
+         {"imaginary", interval_json(root.imaginary, root.rigour)},
+         {"multiplicity", root.multiplicity},
+         {"rigour", rigour_word(root.rigour)}});
+  }
   return {{"valence", answer.valence},
           {"parameters", parameters_json(description)},
           {"eigenvalues", std::move(modes)},
@@ -202,19 +248,16 @@ int eigen_at_values(const EigenOptions& options, const MeshSchemeDescription& de
                     const Valences& valences) {
   const Equations equations(description);
   const MeshSchemeForms forms = mesh_scheme_forms(description);
-  const ModeTable turning(equations.turning);
   Json json = Json::array();
   bool open = false;
   constexpr const char* row = "{:>7}  {:<16}{:<16}{:<11}{}\n";
   if (!options.json)
     std::cout << fmt::format(row, "valence", "sub-dominant", "next", "condition", "characteristic map");
   for (int n = valences.first; n <= valences.last; ++n) {
-    const SpectralCondition condition = equations.condition(n);
-    const Answer answer = answer_at(condition, forms);
+    const Answer answer = answer_at(equations, forms, n);
     open = open || answer.condition == Decision::undecided;
     if (options.json) {
-      json.push_back(answer_json(answer, condition, turning, ModeTable(invariant_mode(equations.scheme, n)),
-                                 description));
+      json.push_back(answer_json(answer, description));
       continue;
     }
     std::cout << fmt::format(row, n, number_text(answer.subdominant, answer.rigour),

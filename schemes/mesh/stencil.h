@@ -1,8 +1,10 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <type_traits>
 #include <utility>
+
 #include <boost/container/small_vector.hpp>
 
 #include "schemes/algebra/ring.h"
@@ -19,7 +21,7 @@ R ratio(long p, long q) {
   }
 }
 
-/// A new point as a combination of old ones: the sum of weight P_vertex. Each vertex stands once.
+/// A new point as a combination of old ones: the sum of weight P_vertex, by ascending vertices, each once.
 template <class R>
 class Stencil {
  public:
@@ -33,12 +35,13 @@ class Stencil {
   explicit Stencil(int vertex) { add(vertex, R(1)); }
 
   void add(int vertex, const R& weight) {
-    for (Term& term : terms_) {
-      if (term.first != vertex) continue;
-      term.second = term.second + weight;
-      return;
+    const auto place = std::lower_bound(terms_.begin(), terms_.end(), vertex,
+                                        [](const Term& term, int v) { return term.first < v; });
+    if (place != terms_.end() && place->first == vertex) {
+      place->second = place->second + weight;
+    } else {
+      terms_.emplace(place, vertex, weight);
     }
-    terms_.emplace_back(vertex, weight);
   }
   void add(const Stencil& other, const R& factor) {
     for (const Term& term : other.terms_) add(term.first, term.second * factor);

@@ -89,7 +89,9 @@ TEST(BorderLayers, FacesAndHalfEdgesOfTheMeshKeepTheirNumbers) {
   for (int h = 0; h < mesh.half_edges(); ++h) {
     EXPECT_EQ(layers.mesh.origin(h), mesh.origin(h));
     EXPECT_GE(layers.mesh.opposite(h), 0) << "nothing is at the border any more";
-    if (mesh.opposite(h) >= 0) EXPECT_EQ(layers.mesh.opposite(h), mesh.opposite(h));
+    if (mesh.opposite(h) >= 0) {
+      EXPECT_EQ(layers.mesh.opposite(h), mesh.opposite(h));
+    }
   }
   for (int v = 0; v < mesh.vertices(); ++v) EXPECT_EQ(layers.mesh.valence(v), v == 4 ? 5 : 4);
   EXPECT_EQ(layers.mesh.vertices(), mesh.vertices() + static_cast<int>(layers.added.size()));
