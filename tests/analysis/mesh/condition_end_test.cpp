@@ -1,7 +1,10 @@
 #include "analysis/mesh/condition_end.h"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
+#include "schemes/algebra/univariate.h"
 #include "schemes/mesh/jspline_mesh.h"
 
 namespace subdiv {
@@ -31,6 +34,36 @@ TEST(ConditionEnd, SeparatesParametersThatAreDecidedOneByOne) {
         EXPECT_EQ(inside, Decision::yes) << n;
         EXPECT_EQ(outside, Decision::no) << n;
       }
+    }
+  }
+}
+
+/// A third route at valence 3, cos(2 pi/3) = -1/2: a common root of modes 1 and 0, x there and +-x here, is a
+/// zero of their resultant.
+TEST(ConditionEnd, IsAZeroOfAResultantAtValenceThree) {
+  const auto largest = [](const ModeEquation& equation) {
+    return std::ranges::max_element(equation.factors, {},
+                                    [](const auto& f) { return f.first.degree(eigenvalue_variable); })
+        ->first;
+  };
+  for (const bool literal : {false, true}) {
+    const MeshScheme<F> scheme = literal ? jspline_mesh_literal<F>(s) : jspline_mesh<F>(s);
+    const ModeEquation turning = turning_modes(scheme);
+    const ModeEquation invariant = invariant_mode(scheme, 3);
+    const SpectralCondition condition(turning, invariant, 3);
+    const auto cells = condition.cells(Rational(-2), Rational(6), Rational(1, 1L << 14));
+    ASSERT_EQ(cells.size(), 5U);
+    for (const bool lower : {true, false}) {
+      const ConditionCell& cell = cells[lower ? 1 : 3];
+      const auto end = condition_end(condition, cell.lower, cell.upper);
+      ASSERT_TRUE(end.has_value());
+      EXPECT_EQ(end->rival.mode, 0);
+      const Polynomial x = Polynomial(lower ? 1 : -1) * Polynomial::variable(eigenvalue_variable);
+      const Polynomial tie =
+          resultant(largest(turning).substitute(turn_variable, Polynomial(Rational(-1, 2))),
+                    largest(invariant).substitute(eigenvalue_variable, x), eigenvalue_variable);
+      const UnivariatePolynomial in_s(tie, 0);
+      EXPECT_LT((in_s.evaluate(end->at.lower()) * in_s.evaluate(end->at.upper())).sign(), 0);
     }
   }
 }
