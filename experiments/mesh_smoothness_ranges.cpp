@@ -89,9 +89,7 @@ void append_heads(std::vector<ClaimHead>& table, const std::string& id, const st
 
 struct End {
   Rational low, high;          // the end lies between
-  std::optional<Rival> rival;  // what reaches lambda there, its mode proved
-
-  [[nodiscard]] bool is_border() const { return low == high; }
+  std::optional<Rival> rival;  // what reaches lambda there, its mode proved; none at a border of [-2, 6]
 };
 
 struct Ends {
@@ -112,6 +110,7 @@ std::vector<ConditionCell> outwards(const SpectralCondition& condition, const Ra
 }
 
 /// The end in a cell that begins where the condition holds: smaller cells as long as its proof needs them.
+/// Throws std::logic_error when it is not proved.
 End end_in(const SpectralCondition& condition, ConditionCell cell, bool above) {
   constexpr std::array bits{14L, 16L, 18L, 20L};
   for (const long k : bits) {
@@ -125,7 +124,8 @@ End end_in(const SpectralCondition& condition, ConditionCell cell, bool above) {
     if (open == parts.end() || !begins) break;
     cell = *open;
   }
-  return {cell.lower, cell.upper, std::nullopt};
+  throw std::logic_error(fmt::format("an end of the condition at valence {} is not proved near {}",
+                                     condition.valence(), cell.lower.to_string()));
 }
 
 /// One end of the component around [0, 1], looked for outwards piece after piece.
@@ -212,8 +212,7 @@ std::map<int, Ends> all_ends(const Family& f) {
 }
 
 std::string end_note(const End& end, const std::string& beyond) {
-  if (end.is_border()) return "It holds up to this border of the range looked at.";
-  if (!end.rival) return "The digits beyond the enclosure are not decided.";
+  if (!end.rival) return "It holds up to this border of the range looked at.";
   return beyond + " it " + rival_text(*end.rival) + ".";
 }
 
