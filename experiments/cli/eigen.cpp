@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <iostream>
+#include <numeric>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -98,15 +100,47 @@ Interval modulus(const ModeRoot& root) {
   return sqrt(root.real * root.real + root.imaginary * root.imaginary);
 }
 
+/// cos(2 pi k/n) where it is rational.
+std::optional<Rational> rational_cosine(int k, int n) {
+  constexpr std::array orders{1, 2, 3, 4, 6};
+  if (std::ranges::find(orders, n / std::gcd(k, n)) == orders.end()) return std::nullopt;
+  return cosine_of_turn<Rational>(k, n);
+}
+
+/// All eigenvalues of a mode from its exact polynomial, in which multiple ones show; nothing when its
+/// coefficients are irrational.
+std::optional<std::vector<ComplexRoot>> exact_mode(const ModeEquation& equation, int mode, int valence) {
+  const std::optional<Rational> c = rational_cosine(std::max(mode, 1), valence);
+  std::vector<ComplexRoot> result;
+  for (const auto& [factor, multiplicity] : equation.factors) {
+    if (factor.uses(turn_variable) && !c) return std::nullopt;
+    const Polynomial p = c ? factor.substitute(turn_variable, Polynomial(*c)) : factor;
+    for (ComplexRoot& root :
+         complex_roots(UnivariatePolynomial(p, eigenvalue_variable), ModeTable::precision)) {
+      root.multiplicity *= multiplicity;
+      result.push_back(std::move(root));
+    }
+  }
+  return result;
+}
+
 /// All eigenvalues by mode: enclosures, or approximate ones where Arb cannot tell roots apart.
 std::vector<ModeRoot> spectrum(const Equations& equations, int valence) {
+  const ModeEquation invariant_equation = invariant_mode(equations.scheme, valence);
   const ModeTable turning(equations.turning);
-  const ModeTable invariant(invariant_mode(equations.scheme, valence));
+  const ModeTable invariant(invariant_equation);
   const Rational none(0);  // there is no parameter
   std::vector<ModeRoot> result;
   for (int k = 0; 2 * k <= valence; ++k) {
     const Interval c = cosine_of_turn<Interval>(std::max(k, 1), valence);
     const int mirrored = k > 0 && 2 * k < valence ? 2 : 1;
+    if (const auto roots = exact_mode(k == 0 ? invariant_equation : equations.turning, k, valence)) {
+      for (const ComplexRoot& root : *roots) {
+        result.push_back({k, root.real, root.imaginary, root.multiplicity, mirrored * root.multiplicity,
+                          Rigour::certified});
+      }
+      continue;
+    }
     for (const auto& [factor, multiplicity] : (k == 0 ? invariant : turning).at(none, none).at_turn(c)) {
       if (const auto roots = enclosed_roots(factor.middle)) {
         for (const ComplexRoot& root : *roots) {

@@ -4,8 +4,7 @@
 #include <cstddef>
 #include <type_traits>
 #include <utility>
-
-#include <boost/container/small_vector.hpp>
+#include <vector>
 
 #include "schemes/algebra/ring.h"
 
@@ -26,15 +25,15 @@ template <class R>
 class Stencil {
  public:
   using Term = std::pair<int, R>;
-  // Most stencils need no memory of their own.
-  static constexpr std::size_t usual_terms = 16;
-  using Terms = boost::container::small_vector<Term, usual_terms>;
+  using Terms = std::vector<Term>;
 
   Stencil() = default;
   /// The point itself.
   explicit Stencil(int vertex) { add(vertex, R(1)); }
 
   void add(int vertex, const R& weight) {
+    constexpr std::size_t usual = 16;  // those of J_s in regular regions
+    if (terms_.empty()) terms_.reserve(usual);
     const auto place = std::lower_bound(terms_.begin(), terms_.end(), vertex,
                                         [](const Term& term, int v) { return term.first < v; });
     if (place != terms_.end() && place->first == vertex) {
