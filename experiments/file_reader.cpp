@@ -115,11 +115,12 @@ std::string_view next_word(std::string_view& text) {
 }
 
 double to_coordinate(const FileReader& reader, std::string_view word) {
-  const std::string_view digits = word.starts_with('+') ? word.substr(1) : word;
+  const bool plus = word.starts_with('+');
+  const std::string_view digits = plus ? word.substr(1) : word;
   double value = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   if (error == std::errc::result_out_of_range) reader.reject(in_quotes(word) + " does not fit a double");
-  if (error != std::errc() || end != digits.data() + digits.size() || digits.starts_with('+'))
+  if (error != std::errc() || end != digits.data() + digits.size() || (plus && digits.starts_with('-')))
     reader.reject(in_quotes(word) + " is no number; expected a decimal such as -0.25 or 1e-3");
   if (!std::isfinite(value)) reader.reject(in_quotes(word) + " is not finite");
   return value;

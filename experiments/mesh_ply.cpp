@@ -11,7 +11,7 @@
 namespace subdiv {
 namespace {
 
-/// One element after the other. Integers are exact in double: they have at most 32 bits.
+/// One element after the other. Integers are exact in double: those that count have at most 32 bits.
 class ElementReader {
  public:
   ElementReader(FileReader& reader, PlyEncoding encoding) : reader_(reader), encoding_(encoding) {}
@@ -141,7 +141,11 @@ void read_faces(ElementReader& elements, const PlyElement& element, FileReader& 
     mesh.places.push_back(elements.place());
     elements.read(element, f, {*list});
     corners.clear();
-    for (const double corner : elements.values(*list)) corners.push_back(static_cast<long long>(corner));
+    for (const double corner : elements.values(*list)) {
+      constexpr double most = 4294967295.0;  // of the widest type; text may claim more
+      if (std::abs(corner) > most) elements.reject(fmt::format("a corner is {}: no such vertex", corner));
+      corners.push_back(static_cast<long long>(corner));
+    }
     mesh.faces.add_face(corners);
   }
 }

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "analysis/eigenvalues.h"
+#include "analysis/mesh/exact_condition.h"
 #include "analysis/mesh/mesh_condition.h"
 #include "analysis/mesh/spectral_condition.h"
 #include "experiments/mesh_smoothness_limit.h"
@@ -214,13 +215,11 @@ void add_named(Results& results) {
   const int first = multiplicity(turning_modes(plain));
   const int zero = multiplicity(invariant_mode(plain, 3));
   results.claims.push_back(settle_statement(
-      claim("notes.loop.exception"), first == 1 && zero == 1,
+      claim("notes.loop.exception"),
+      first == 1 && zero == 1 && exact_condition(loop_without_exception<Rational>(), 3) == Decision::no,
       fmt::format("fails: 1/4 has the multiplicity {} in modes 1 and 2, and {} in mode 0", first, zero),
       "Mode 0 has 1/4 at every valence, modes 1 and 2 have 3/8 + cos(2 pi/3)/4 = 1/4: the sub-dominant "
-      "eigenvalue "
-      "is triple, and the limit is not a graph over a tangent plane. The weights 7/16 and 3/16 move mode 0 "
-      "to "
-      "1/16."));
+      "eigenvalue is triple. The weights 7/16 and 3/16 move mode 0 to 1/16."));
 }
 
 void add_butterfly(Results& results) {
@@ -243,7 +242,7 @@ void add_butterfly(Results& results) {
   results.claims.push_back(settle_statement(
       claim("notes.butterfly.valence-3"), geometric < algebraic,
       fmt::format("1/4 is sub-dominant, {} times, with {} eigenvectors", algebraic, geometric),
-      "Jordan blocks, and lambda is not simple in mode 1: the condition fails."));
+      "Jordan blocks: the condition fails."));
   std::string modes;
   bool proved = true;
   for (const int n : wide_valences(4)) {

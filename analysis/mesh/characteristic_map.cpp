@@ -234,7 +234,10 @@ CharacteristicMap characteristic_map(const MeshSchemeForms& scheme, int valence)
   if (!scheme.exact || !sampled.exists()) return sampled;
   const int sides = scheme.rounded.split == MeshSplit::quads ? 4 : 3;
   const RegularLimits& limits = regular_limits(lattice_mask(*scheme.exact), sides);
-  if (!limits.spline && !limits.bounds) return sampled;
+  if (!limits.spline && !limits.bounds) {
+    sampled.method += "; limits assumed to be C1 in regular regions";
+    return sampled;
+  }
 
   const LeadingMode leading = leading_mode(scheme.rounded, rounded_fan(scheme.rounded, valence));
   const FanMatrix<Interval> fan = fan_matrix(scheme.enclosed, valence, regular_rings(scheme.enclosed.reach));

@@ -167,6 +167,12 @@ std::optional<Gap> gap_over(const Leaders& two, const Interval& cell) {
   return Gap{*lambda, *rival, square(*rival) - square(*lambda), slope};
 }
 
+/// The roots enclosed for a part of the cell are those of the whole: its boxes hold one root each.
+bool is_branch_of(const Gap& part, const Gap& whole) {
+  return whole.lambda.x.contains(part.lambda.x) && whole.rival.x.contains(part.rival.x) &&
+         whole.rival.y.contains(part.rival.y);
+}
+
 /// The circle holds all but lambda and the rival, or the pair, throughout the cell.
 bool are_alone(const SpectralCondition& condition, const Rational& lower, const Rational& upper,
                const Leaders& two, const Gap& over) {
@@ -199,9 +205,7 @@ std::optional<ConditionEnd> condition_end(const SpectralCondition& condition, co
   // Roots at single s belong to the same branch: they lie in its box over the cell, which has one root each.
   const auto gap_at = [&](const Rational& s) -> std::optional<Interval> {
     const auto at = gap_over(two, Interval(s, precision));
-    const bool same = at && over->lambda.x.contains(at->lambda.x) && over->rival.x.contains(at->rival.x) &&
-                      over->rival.y.contains(at->rival.y);
-    return same ? std::optional<Interval>(at->value) : std::nullopt;
+    return at && is_branch_of(*at, *over) ? std::optional<Interval>(at->value) : std::nullopt;
   };
   const auto below = gap_at(lower);
   const auto above = gap_at(upper);
@@ -216,7 +220,8 @@ std::optional<ConditionEnd> condition_end(const SpectralCondition& condition, co
     const Interval next = middle - *value / slope;
     if (!next.is_finite() || !cell.contains_strictly(next)) break;
     cell = next;
-    if (const auto finer = gap_over(two, cell); finer && !finer->slope.contains_zero()) slope = finer->slope;
+    const auto finer = gap_over(two, cell);
+    if (finer && is_branch_of(*finer, *over) && !finer->slope.contains_zero()) slope = finer->slope;
   }
   return ConditionEnd{cell, certainly_negative(*below), two.found};
 }

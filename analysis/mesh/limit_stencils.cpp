@@ -131,7 +131,8 @@ class LimitsOnMesh {
   LimitsOnMesh(const MeshTopology& mesh, std::shared_ptr<LimitStencils> stencils)
       : mesh_(mesh), stencils_(std::move(stencils)), finder_(mesh) {
     if (mesh.half_edges() > 0 && mesh.sides() != (stencils_->scheme().split == MeshSplit::quads ? 4 : 3))
-      throw InputError("limits of faces with different numbers of corners: use at least one level");
+      throw InputError(
+          "limits where faces have other numbers of corners than the scheme makes: use at least one level");
   }
 
   [[nodiscard]] const LimitStencil& stencil(int v) { return stencils_->of(mesh_.valence(v)); }
@@ -206,7 +207,8 @@ LimitStencil limit_stencil(const MeshScheme<double>& scheme, int valence) {
   const FanMatrix<double> fan = fan_matrix(scheme, valence, scheme.reach);
   LimitStencil result;
   result.rings = scheme.reach;
-  const double others = largest_of_others(fan);
+  // Further rings have eigenvalues of their own, but no weight in these eigenvectors.
+  const double others = largest_of_others(fan_matrix(scheme, valence, eigenvalue_rings(scheme)));
   const Eigen::MatrixXd block = invariant_block(fan);
   // y (B - I) = 0 with weights of sum 1: one equation of the square system is redundant and gives way.
   Eigen::MatrixXd system = block.transpose() - Eigen::MatrixXd::Identity(block.rows(), block.rows());

@@ -305,11 +305,19 @@ int eigen_at_values(const EigenOptions& options, const MeshSchemeDescription& de
 /// The range is cut down to this share of it where the answer changes.
 constexpr long finest_cells = 1L << 24;
 
+constexpr int json_digits = 18;
+constexpr int text_digits = 9;
+
+/// Cells that are decided are rounded inwards, the others outwards.
+std::string end_text(const ConditionCell& cell, const Rational& end, int digits) {
+  const int outwards = end == cell.lower ? -1 : 1;
+  return to_significant(end, digits, cell.holds == Decision::undecided ? outwards : -outwards);
+}
+
 int eigen_over(const EigenOptions& options, const MeshSchemeDescription& description,
                const Valences& valences, const ParameterRange& range) {
   const Equations equations(description);
   const Rational width = (range.upper - range.lower) / Rational(finest_cells);
-  constexpr int digits = 9;
   Json json = Json::array();
   if (!options.json) std::cout << fmt::format("{:>7}  condition on {}\n", "valence", range.name);
   for (int n = valences.first; n <= valences.last; ++n) {
@@ -317,11 +325,11 @@ int eigen_over(const EigenOptions& options, const MeshSchemeDescription& descrip
     Json parts = Json::array();
     std::string line;
     for (const ConditionCell& cell : cells) {
-      const DecimalEnds ends = decimal_ends(cell.lower, cell.upper, Rigour::certified);
-      parts.push_back(
-          {{"lower", ends.lower}, {"upper", ends.upper}, {"condition", decision_json(cell.holds)}});
+      parts.push_back({{"lower", end_text(cell, cell.lower, json_digits)},
+                       {"upper", end_text(cell, cell.upper, json_digits)},
+                       {"condition", decision_json(cell.holds)}});
       line += fmt::format("{}{} [{}, {}]", line.empty() ? "" : "; ", decision_text(cell.holds),
-                          to_significant(cell.lower, digits), to_significant(cell.upper, digits));
+                          end_text(cell, cell.lower, text_digits), end_text(cell, cell.upper, text_digits));
     }
     if (!options.json) {
       std::cout << fmt::format("{:>7}  {}\n", n, line);

@@ -112,6 +112,7 @@ class PatchWriter {
     const int* control = stage_.controls.data() + stage_.controls_begin[f];
     for (std::size_t k = 0; k < controls_.size(); ++k)
       controls_[k] = from_[static_cast<std::size_t>(control[k])];
+    if (controls_.empty()) controls_.emplace_back();  // a table of zeros reads none
     const auto inner = static_cast<std::size_t>(stage_.grid.inner_points());
     const std::size_t direct = inner / patch_line;  // lines that go where they belong
     Point3* const own = to_.data() + numbering_.first_inner(face);
@@ -178,6 +179,7 @@ MeshTopology refined_by(const MeshTopology& mesh, const PatchGrid& grid) {
 }
 
 void check_size(const MeshTopology& mesh, const MeshScheme<double>& scheme, int levels) {
+  if (levels < 0) throw std::invalid_argument("there are no negative levels");
   if (scheme.split == MeshSplit::triangles && mesh.sides() != 3) {
     for (int f = 0; f < mesh.faces(); ++f) {
       if (mesh.degree(f) == 3) continue;
@@ -186,7 +188,7 @@ void check_size(const MeshTopology& mesh, const MeshScheme<double>& scheme, int 
     }
   }
   const double half_edges = static_cast<double>(mesh.half_edges()) * std::pow(4.0, levels);
-  if (levels < 0 || half_edges > std::numeric_limits<int>::max()) {
+  if (half_edges > std::numeric_limits<int>::max()) {
     int most = 0;
     for (double count = 4.0 * mesh.half_edges(); count <= std::numeric_limits<int>::max(); count *= 4) ++most;
     throw InputError(

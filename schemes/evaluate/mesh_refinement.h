@@ -68,7 +68,8 @@ class PatchNumbering {
 class MeshRefinement {
  public:
   /// levels >= 0; the final rule is applied to the points of the last level. Throws InputError for a scheme
-  /// of triangles on a mesh with other faces (naming the first), and for more half-edges than an int counts.
+  /// of triangles on a mesh with other faces (naming the first), and for more half-edges than an int counts;
+  /// std::invalid_argument for levels < 0.
   MeshRefinement(const MeshTopology& mesh, const MeshScheme<double>& scheme, int levels,
                  const FinalRule& final_rule = {});
 

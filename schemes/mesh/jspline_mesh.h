@@ -179,7 +179,7 @@ MeshScheme<R> jspline_mesh_literal(const R& s) {
   MeshScheme<R> scheme = jspline_mesh(R(0));
   scheme.name = "jspline-mesh-literal";
   scheme.border_rules = jspline_mesh(s).border_rules;
-  const auto blend = [s](auto interpolating, auto spline) {
+  const auto blend = [s](const auto& interpolating, const auto& spline) {
     return [s, interpolating, spline](const MeshTopology& mesh, int element) {
       Stencil<R> result;
       result.add(interpolating(mesh, element), R(1) - s);

@@ -13,7 +13,11 @@
 namespace subdiv {
 namespace {
 
-std::string vertex_name(long long v) { return fmt::format("vertex {}", v + 1); }
+/// Counted from 1; negative ones as they are.
+std::string vertex_name(long long v) {
+  return v < 0 ? fmt::format("vertex {} from 0", v)
+               : fmt::format("vertex {}", static_cast<unsigned long long>(v) + 1);
+}
 std::string face_name(std::size_t f) { return fmt::format("face {}", f + 1); }
 
 /// The faults that a face has by itself.

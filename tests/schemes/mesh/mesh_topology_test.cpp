@@ -92,7 +92,9 @@ TEST(MeshTopology, EveryFaultIsNamedWithItsFace) {
   EXPECT_EQ(fault_text(polygons(3, {{0, 1, 3}})),
             "face 1 has vertex 4 as a corner, but the mesh has 3 vertices");
   EXPECT_EQ(fault_text(polygons(3, {{0, 1, -1}})),
-            "face 1 has vertex 0 as a corner, but the mesh has 3 vertices");
+            "face 1 has vertex -1 from 0 as a corner, but the mesh has 3 vertices");
+  EXPECT_EQ(fault_text(polygons(3, {{0, 1, 9223372036854775807LL}})),
+            "face 1 has vertex 9223372036854775808 as a corner, but the mesh has 3 vertices");
   EXPECT_EQ(fault_text(polygons(3, {{0, 1, 2}, {0, 1}})), "face 2 has 2 corners");
   EXPECT_EQ(fault_text(polygons(3, {{}})), "face 1 has 0 corners");
   EXPECT_EQ(fault_text(polygons(4, {{0, 1, 2, 1}})), "face 1 meets vertex 2 more than once");
