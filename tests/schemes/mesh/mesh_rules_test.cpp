@@ -202,6 +202,73 @@ TEST(MeshRules, ButterflyReproducesCubicsOnTheRegularGrid) {
   EXPECT_FALSE(reproduces(loop<Rational>(), 2)) << "splines approximate";
 }
 
+/// Places (column, row) of a sheet: linear data in its vertices' order.
+Points linear_data(int rows, int columns) {
+  Points points;
+  for (int i = 0; i <= rows; ++i) {
+    for (int j = 0; j <= columns; ++j) points.push_back({Rational(j), Rational(i), Rational(2 * i - 3 * j)});
+  }
+  return points;
+}
+
+TEST(MeshRules, LinearDataIsKeptUpToTheBorder) {
+  constexpr int rows = 3;
+  constexpr int columns = 4;
+  PolygonFaces triangles;
+  const PolygonFaces quads = sample::sheet(rows, columns);
+  triangles.vertices = quads.vertices;
+  for (std::size_t f = 0; f < quads.faces(); ++f) {
+    const auto q = quads.face(f);
+    triangles.add_face(std::array<long long, 3>{q[0], q[1], q[2]});
+    triangles.add_face(std::array<long long, 3>{q[0], q[2], q[3]});
+  }
+  const Points points = linear_data(rows, columns);
+  const auto check = [&](const MeshTopology& mesh, const MeshScheme<Rational>& scheme) {
+    const Points refined = refined_points(mesh, scheme, points);
+    // A vertex of two triangles at a corner of the sheet: the border runs on around it, and is not straight.
+    const auto turns = [&](int v) {
+      if (!mesh.is_border(v) || mesh.face_count(v) == 1) return false;
+      const std::vector<int> around = neighbours(mesh, v);
+      const auto& p = points[static_cast<std::size_t>(v)];
+      const auto& a = points[static_cast<std::size_t>(around.front())];
+      const auto& b = points[static_cast<std::size_t>(around.back())];
+      return a[0] + b[0] != Rational(2) * p[0] || a[1] + b[1] != Rational(2) * p[1];
+    };
+    for (int v = 0; v < mesh.vertices(); ++v) {
+      if (turns(v)) continue;
+      EXPECT_EQ(refined[static_cast<std::size_t>(v)], points[static_cast<std::size_t>(v)]) << scheme.name;
+    }
+    for (int e = 0; e < mesh.edges(); ++e) {
+      const int h = mesh.half_edge(e);
+      if (mesh.opposite(h) < 0 && (turns(mesh.origin(h)) || turns(mesh.target(h)))) continue;
+      const auto& p = points[static_cast<std::size_t>(mesh.origin(mesh.half_edge(e)))];
+      const auto& q = points[static_cast<std::size_t>(mesh.target(mesh.half_edge(e)))];
+      for (std::size_t d = 0; d < 3; ++d) {
+        EXPECT_EQ(refined[static_cast<std::size_t>(mesh.vertices() + e)][d], (p[d] + q[d]) / Rational(2))
+            << scheme.name << ", edge of vertices " << mesh.origin(mesh.half_edge(e)) << " and "
+            << mesh.target(mesh.half_edge(e));
+      }
+    }
+  };
+  for (const auto& scheme : {butterfly<Rational>(), loop<Rational>()}) check(MeshTopology(triangles), scheme);
+  for (const auto& scheme : {catmull_clark<Rational>(), kobbelt<Rational>(), jspline_mesh(Rational(1, 2))})
+    check(MeshTopology(quads), scheme);
+}
+
+TEST(MeshRules, BorderEdgesOfButterflyFollowTheFourPointScheme) {
+  // A strip of triangles: new points on its straight sides are (-1, 9, 9, -1)/16 of four vertices in a row.
+  const MeshTopology mesh(
+      sample::polygons(8, {{0, 1, 4}, {1, 5, 4}, {1, 2, 5}, {2, 6, 5}, {2, 3, 6}, {3, 7, 6}}));
+  for (int h = 0; h < mesh.half_edges(); ++h) {
+    if (mesh.opposite(h) >= 0 || mesh.origin(h) != 1 || mesh.target(h) != 2) continue;
+    const Stencil<Rational> stencil = butterfly<Rational>().edge_rule(mesh, h);
+    EXPECT_EQ(stencil.weight(0), Rational(-1, 16));
+    EXPECT_EQ(stencil.weight(1), Rational(9, 16));
+    EXPECT_EQ(stencil.weight(2), Rational(9, 16));
+    EXPECT_EQ(stencil.weight(3), Rational(-1, 16));
+  }
+}
+
 TEST(MeshRules, LoopsWeightsAgreeWhereTheFormulasDo) {
   // 5/8 - (3/8 + cos(2 pi/n)/4)^2 = 9/16 at n = 3 and 3/8 at n = 6; Warren's exception is Loop's value.
   for (const int n : {3, 6}) {
