@@ -4,7 +4,9 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -184,12 +186,89 @@ LatticeMask<Rational> product_mask(const std::vector<Rational>& curve, int last)
   return trimmed(mask);
 }
 
-// Differences are refined by the four-point mask -w, 0, 1/2 + w, 1, 1/2 + w, 0, -w, whose basis functions b_j
-// take large values of both signs: differences in 1 .. 1.95 have limits below 0.
+/// -w, 0, 1/2 + w, 1, 1/2 + w, 0, -w from index -3 on: an interpolating scheme of curves.
+std::vector<Rational> four_point(const Rational& w) {
+  return {-w, Rational(0), Rational(1, 2) + w, Rational(1), Rational(1, 2) + w, Rational(0), -w};
+}
+
+/// Its basis functions b_j, j = -2 .. 3, at the multiples of 2^-level in [0, 1], by subdivision.
+std::vector<std::vector<double>> four_point_basis(const Rational& w, int level) {
+  constexpr int far = 8;
+  const std::vector<Rational> mask = four_point(w);
+  const auto slot = [](int x) { return static_cast<std::size_t>(x + far); };
+  std::vector<std::vector<double>> basis;
+  for (int j = -2; j <= 3; ++j) {
+    std::vector<double> values(slot(1 + far) + 1);
+    values[slot(j)] = 1;
+    for (int side = 1; side < 1 << level; side *= 2) {
+      std::vector<double> fine(slot(2 * side + far) + 1);
+      for (int x = -far; x <= 2 * side + far; ++x) {
+        for (int i = -3; i <= 3; ++i) {
+          const int y = (x - i) / 2;
+          if ((x - i) % 2 == 0 && -far <= y && y <= side + far)
+            fine[slot(x)] += mask[static_cast<std::size_t>(i + 3)].to_double() * values[slot(y)];
+        }
+      }
+      values = std::move(fine);
+    }
+    basis.emplace_back(values.begin() + far, values.end() - far);
+  }
+  return basis;
+}
+
+/// The largest sum of |b_j|, j = 1 (the reference) left out or not, and where it is.
+std::pair<double, std::size_t> norm_of(const std::vector<std::vector<double>>& basis, bool all) {
+  std::pair<double, std::size_t> result;
+  for (std::size_t x = 0; x < basis.front().size(); ++x) {
+    double sum = 0;
+    for (std::size_t j = 0; j < basis.size(); ++j) sum += all || j != 3 ? std::abs(basis[j][x]) : 0;
+    result = std::max(result, {sum, x});
+  }
+  return result;
+}
+
+/// The four-point mask along the first direction, the hat function's along the second; skewed: data that are
+/// constant along the second direction do not feel that it is no product.
+LatticeMask<Rational> along_first(const Rational& w, bool skewed) {
+  LatticeMask<Rational> mask(3);
+  for (int i = -3; i <= 3; ++i) {
+    for (int j = -1; j <= 1; ++j)
+      mask(i, j) = Rational(1, 1 + std::abs(j)) * four_point(w)[static_cast<std::size_t>(i + 3)];
+  }
+  if (skewed) {
+    mask(0, 1) += Rational(1, 1000);
+    mask(0, -1) -= Rational(1, 1000);
+  }
+  return mask;
+}
+
+// Limits at dyadic points are known after finitely many steps, and the hat functions' norm is 1.
+TEST(DerivativeBound, FactorsAreAboveTheNormsOfRoughFunctions) {
+  for (const int k : {4, 5, 8, 16}) {
+    const Rational w(1, k);
+    EXPECT_GE(lattice_window(along_first(w, false))->factor, norm_of(four_point_basis(w, 12), true).first)
+        << k;
+  }
+  for (const int k : {5, 8, 16}) {
+    const Rational w(1, k);
+    EXPECT_GE(lattice_window(along_first(w, true))->factor, norm_of(four_point_basis(w, 12), false).first)
+        << k;
+  }
+}
+
+// At w = 3/4 basis functions grow from level to level, but stay bounded near the integers.
+TEST(DerivativeBound, SchemesThatDivergeBetweenPointsHaveNoBounds) {
+  const Rational w(3, 4);
+  EXPECT_GT(norm_of(four_point_basis(w, 12), true).first, 4 * norm_of(four_point_basis(w, 6), true).first);
+  EXPECT_FALSE(lattice_window(along_first(w, false)));
+  EXPECT_FALSE(lattice_window(along_first(w, true)));
+}
+
+// Differences are refined by the four-point mask with a large w, whose basis functions b_j take large values
+// of both signs: differences in 1 .. 1.95 have limits below 0.
 TEST(DerivativeBound, DerivativesMayLeaveTheDifferencesByFar) {
   const Rational w(1, 3);
-  const std::vector<Rational> differences{
-      -w, Rational(0), Rational(1, 2) + w, Rational(1), Rational(1, 2) + w, Rational(0), -w};
+  const std::vector<Rational> differences = four_point(w);
   std::vector<Rational> curve(8);  // (1 + z)/2 times it: from index -4 on
   for (std::size_t i = 0; i < differences.size(); ++i) {
     curve[i] += Rational(1, 2) * differences[i];
@@ -199,35 +278,8 @@ TEST(DerivativeBound, DerivativesMayLeaveTheDifferencesByFar) {
   const std::optional<DerivativeBounds> bounds = derivative_bounds(mask);
   ASSERT_TRUE(bounds);
 
-  // The b_j at the dyadic points of [0, 1] by subdivision, and the point where they are largest in all.
-  constexpr int level = 6;
-  constexpr int far = 8;
-  std::vector<std::vector<double>> basis;  // of j = -2 .. 3
-  for (int j = -2; j <= 3; ++j) {
-    std::vector<double> values(2 * far + 2);
-    values[static_cast<std::size_t>(j + far)] = 1;
-    for (int side = 1; side < 1 << level; side *= 2) {
-      std::vector<double> fine(static_cast<std::size_t>(2 * side + 2 * far + 1));
-      for (int x = -far; x <= 2 * side + far; ++x) {
-        for (int i = -3; i <= 3; ++i) {
-          if ((x - i) % 2 != 0 || (x - i) / 2 < -far || (x - i) / 2 > side + far) continue;
-          fine[static_cast<std::size_t>(x + far)] +=
-              differences[static_cast<std::size_t>(i + 3)].to_double() *
-              values[static_cast<std::size_t>((x - i) / 2 + far)];
-        }
-      }
-      values = std::move(fine);
-    }
-    basis.push_back(values);
-  }
-  double norm = 0;
-  std::size_t where = 0;
-  for (std::size_t x = far; x <= far + (1U << level); ++x) {
-    double sum = 0;
-    for (const std::vector<double>& b : basis) sum += std::abs(b[x]);
-    if (sum > norm) where = x;
-    norm = std::max(norm, sum);
-  }
+  const std::vector<std::vector<double>> basis = four_point_basis(w, 6);
+  const std::size_t where = norm_of(basis, true).second;
   constexpr int place = 8;
   constexpr int last = 16;
   std::vector<double> step(200, 1.4);
