@@ -249,10 +249,13 @@ TEST(DerivativeBound, FactorsAreAboveTheNormsOfRoughFunctions) {
     EXPECT_GE(lattice_window(along_first(w, false))->factor, norm_of(four_point_basis(w, 12), true).first)
         << k;
   }
-  for (const int k : {5, 8, 16}) {
+  for (const int k : {3, 4, 5, 8, 16}) {
     const Rational w(1, k);
-    EXPECT_GE(lattice_window(along_first(w, true))->factor, norm_of(four_point_basis(w, 12), false).first)
-        << k;
+    const std::optional<LatticeWindow> window = lattice_window(along_first(w, true));
+    EXPECT_TRUE(window || k < 5) << k;  // rough functions may contract too slowly to be bounded at all
+    if (window) {
+      EXPECT_GE(window->factor, norm_of(four_point_basis(w, 12), false).first) << k;
+    }
   }
 }
 
