@@ -1,6 +1,6 @@
 #pragma once
 
-#include <utility>
+#include <array>
 #include <vector>
 
 #include "schemes/mesh/catmull_clark.h"
@@ -107,6 +107,15 @@ Stencil<R> odd_face_point(const MeshTopology& mesh, int face, const OddRule<R>& 
   return result;
 }
 
+/// How J_s continues beyond a border (MeshScheme::border_rules): the clamped ends of curves (J-splines,
+/// section 9), line by line.
+template <class R>
+std::vector<std::array<R, 3>> clamped_border_rules(const R& s) {
+  const R half = ratio<R>(1, 2);
+  return {{(R(9) - s) * half * half, (s - R(3)) * half, (R(1) - s) * half * half},
+          {(R(12) - s) * half, s - R(8), (R(6) - s) * half}};
+}
+
 /// The directional extension of J_s to quad meshes: exactly J_s x J_s in regular regions, Catmull-Clark at
 /// s = 1, Kobbelt at s = 0 (Rossignac, Schaefer: J-splines, section 10, announces such a scheme; its formula,
 /// linear in s, is jspline_mesh_literal). Edges: the odd point E along the edge, moved by the even rule
@@ -123,10 +132,7 @@ MeshScheme<R> jspline_mesh(const R& s) {
   scheme.split = MeshSplit::quads;
   scheme.reach = 2;
   scheme.sight = 4;
-  // The clamped ends of curves (J-splines, section 9), line by line.
-  const R half = ratio<R>(1, 2);
-  scheme.border_rules = {{(R(9) - s) * half * half, (s - R(3)) * half, (R(1) - s) * half * half},
-                         {(R(12) - s) * half, s - R(8), (R(6) - s) * half}};
+  scheme.border_rules = clamped_border_rules(s);
   scheme.face_rule = [rule](const MeshTopology& mesh, int f) { return odd_face_point(mesh, f, rule); };
   scheme.edge_rule = [rule, eighth](const MeshTopology& mesh, int h) {
     Stencil<R> result = odd_point(mesh, h, rule);
@@ -178,7 +184,7 @@ template <class R>
 MeshScheme<R> jspline_mesh_literal(const R& s) {
   MeshScheme<R> scheme = jspline_mesh(R(0));
   scheme.name = "jspline-mesh-literal";
-  scheme.border_rules = jspline_mesh(s).border_rules;
+  scheme.border_rules = clamped_border_rules(s);
   const auto blend = [s](const auto& interpolating, const auto& spline) {
     return [s, interpolating, spline](const MeshTopology& mesh, int element) {
       Stencil<R> result;
