@@ -268,12 +268,13 @@ void PatchNumbering::opposites(std::span<int> out, int threads) const {
               for (std::size_t i = 0; i < size; ++i) to[i] = first + grid_->opposites[i];
               for (int q = 0; q < grid_->sides; ++q) {
                 const int o = mesh_->opposite(grid_->sides * static_cast<int>(f) + q);
+                const auto side = [&](int half_edge, int step) {  // by half-edges of the coarse face
+                  const int at = half_edge % grid_->sides * n + step;
+                  return grid_->side_half_edges[static_cast<std::size_t>(at)];
+                };
                 for (int t = 0; t < n; ++t) {
-                  int& place = to[grid_->side_half_edges[static_cast<std::size_t>(q * n + t)]];
-                  place = o < 0 ? -1
-                                : o / grid_->sides * static_cast<int>(size) +
-                                      grid_->side_half_edges[static_cast<std::size_t>(o % grid_->sides * n +
-                                                                                      n - 1 - t)];
+                  to[side(q, t)] =
+                      o < 0 ? -1 : o / grid_->sides * static_cast<int>(size) + side(o, n - 1 - t);
                 }
               }
             }

@@ -18,7 +18,8 @@ class FanNumbers {
  public:
   FanNumbers(int sides, int valence, int rings) : sides_(sides), valence_(valence), rings_(rings) {
     places_ = sector_places(sides, rings);
-    index_.assign(static_cast<std::size_t>((rings + 1) * (rings + 1)), -1);
+    const auto side = static_cast<std::size_t>(rings) + 1;
+    index_.assign(side * side, -1);
     for (std::size_t p = 0; p < places_.size(); ++p)
       index_[slot(places_[p].a, places_[p].b)] = static_cast<int>(p);
   }
@@ -33,7 +34,7 @@ class FanNumbers {
 
  private:
   [[nodiscard]] std::size_t slot(int a, int b) const {
-    return static_cast<std::size_t>(a * (rings_ + 1) + b);
+    return static_cast<std::size_t>(a) * (static_cast<std::size_t>(rings_) + 1) + static_cast<std::size_t>(b);
   }
   int sides_;
   int valence_;

@@ -10,7 +10,7 @@ namespace detail {
 
 /// Loop's rules but for the weight w(n) of all n neighbours together at a vertex of valence n.
 template <class R, class Weight>
-MeshScheme<R> loop_with_weight(const char* name, Weight weight) {
+MeshScheme<R> loop_with_weight(const char* name, const Weight& weight) {
   MeshScheme<R> scheme;
   scheme.name = name;
   scheme.split = MeshSplit::triangles;
@@ -55,7 +55,7 @@ MeshScheme<R> loop_without_exception() {
 /// Loop's own weights (Loop: Smooth subdivision surfaces based on triangles, 1987): the neighbours share
 /// 5/8 - (3/8 + cos(2 pi/n)/4)^2. cosine(n) is cos(2 pi/n): a value, or an indeterminate that stands for it.
 template <class R, class Cosine>
-MeshScheme<R> loop_1987(Cosine cosine) {
+MeshScheme<R> loop_1987(const Cosine& cosine) {
   return detail::loop_with_weight<R>("loop-1987", [cosine](int n) {
     const R root = ratio<R>(3, 8) + ratio<R>(1, 4) * cosine(n);
     return ratio<R>(5, 8) - root * root;

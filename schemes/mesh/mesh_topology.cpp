@@ -337,7 +337,8 @@ MeshTopology split_into_triangles(const MeshTopology& mesh) {
     opposite[i] = right < 0 ? -1 : corner(right) + 2;
     opposite[i + 1] = middle + previous % 3;
     opposite[i + 2] = left < 0 ? -1 : corner(left);
-    const auto m = static_cast<std::size_t>(middle + h % 3);  // from this edge's point to the next one's
+    const int inner = middle + h % 3;  // from this edge's point to the next one's
+    const auto m = static_cast<std::size_t>(inner);
     origin[m] = mesh.vertices() + mesh.edge(h);
     opposite[m] = corner(mesh.next(h)) + 1;
   }
