@@ -10,6 +10,7 @@
 
 #include "analysis/eigenvalues.h"
 #include "analysis/mesh/exact_condition.h"
+#include "analysis/mesh/lattice_mask.h"
 #include "analysis/mesh/mesh_condition.h"
 #include "analysis/mesh/spectral_condition.h"
 #include "experiments/mesh_smoothness_limit.h"
@@ -125,13 +126,6 @@ void add_blend(Results& results) {
                        "extended in each direction on its own, as the directional scheme is."));
 }
 
-/// The place (sector, a, b) at valence 4 on the lattice.
-std::pair<int, int> lattice(const FanPlace& place, int sector) {
-  std::pair<int, int> at{place.a, place.b};
-  for (int k = 0; k < sector; ++k) at = {-at.second, at.first};
-  return at;
-}
-
 void add_regular(Results& results) {
   const FanMatrix<Function> fan = fan_matrix(jspline_mesh(s), 4, 3);
   const Laurent<Function> mask = jspline(s).symbol;
@@ -147,7 +141,9 @@ void add_regular(Results& results) {
     Function backward(0);  // column p
     for (int k = 0; k < 4; ++k) {
       for (Eigen::Index q = 0; q < fan.places(); ++q) {
-        const auto [i, j] = lattice(places[static_cast<std::size_t>(q)], k);
+        FanPlace place = places[static_cast<std::size_t>(q)];
+        place.sector = k;
+        const auto [i, j] = lattice_offset(4, place);
         const Function& entry = fan.blocks[static_cast<std::size_t>(k)](p, q);
         tensor_product = tensor_product && entry == mask[row.a - 2 * i] * mask[row.b - 2 * j];
         forward += entry * Function(i);
@@ -181,14 +177,6 @@ bool holds_everywhere(const std::function<SpectralCondition(int)>& condition, in
                              [&](int n) { return condition(n).decide(Rational(0)) == Decision::yes; });
 }
 
-MeshScheme<Function> loop_1987_with_cosine() {
-  return detail::loop_with_weight<Function>("loop-1987", [](int /*n*/) {
-    const Function root =
-        fraction<Function>(3, 8) + fraction<Function>(1, 4) * Function::variable(turn_variable);
-    return fraction<Function>(5, 8) - root * root;
-  });
-}
-
 void add_named(Results& results) {
   const auto of = [](const MeshScheme<Function>& scheme) {
     const ModeEquation turning = turning_modes(scheme);
@@ -201,7 +189,8 @@ void add_named(Results& results) {
   all("mesh.catmull-clark.eigenvalues", catmull_clark<Function>(),
       "lambda = (5 + c + sqrt((c+9)(c+1)))/16, c = cos(2 pi/n).");
   all("notes.loop.eigenvalues", loop<Function>(), "lambda = 3/8 + cos(2 pi/n)/4.");
-  all("notes.loop.1987.eigenvalues", loop_1987_with_cosine(),
+  all("notes.loop.1987.eigenvalues",
+      loop_1987<Function>([](int /*n*/) { return Function::variable(turn_variable); }),
       "The same lambda; mode 0 has (3/8 + cos(2 pi/n)/4)^2, its square.");
 
   const MeshScheme<Function> plain = loop_without_exception<Function>();
