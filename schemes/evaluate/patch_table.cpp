@@ -78,27 +78,8 @@ LocalMesh refined(const LocalMesh& local, const MeshScheme<double>& scheme, int 
   for (const int f : faces) entries.push_back(whole.first(f));
   fine.topology = part_of(whole, entries, vertices);
 
-  std::vector<int> place(static_cast<std::size_t>(whole.vertices()), -1);
-  for (std::size_t i = 0; i < vertices.size(); ++i)
-    place[static_cast<std::size_t>(vertices[i])] = static_cast<int>(i);
-  fine.rows.assign(vertices.size(), {});
-  const auto set = [&](int number, const Stencil<double>& stencil) {
-    fine.rows[static_cast<std::size_t>(place[static_cast<std::size_t>(number)])] =
-        combined(stencil, local.rows);
-  };
-  const MeshTopology& coarse = local.topology;
-  const auto wanted = [&](int number) { return wanted_vertex[static_cast<std::size_t>(number)] != 0; };
-  for (int v = 0; v < coarse.vertices(); ++v) {
-    if (wanted(v)) set(v, scheme.vertex_rule(coarse, v));
-  }
-  for (int e = 0; e < coarse.edges(); ++e) {
-    if (wanted(coarse.vertices() + e))
-      set(coarse.vertices() + e, scheme.edge_rule(coarse, coarse.half_edge(e)));
-  }
-  for (int f = 0; scheme.split == MeshSplit::quads && f < coarse.faces(); ++f) {
-    const int number = coarse.vertices() + coarse.edges() + f;
-    if (wanted(number)) set(number, scheme.face_rule(coarse, f));
-  }
+  for (const int number : vertices)
+    fine.rows.push_back(combined(stencil_of(local.topology, scheme, number), local.rows));
   return fine;
 }
 

@@ -15,11 +15,17 @@ namespace subdiv {
   return by == MeshSplit::quads ? split_into_quads(mesh) : split_into_triangles(mesh);
 }
 
-/// The rules of a step on this mesh: the scheme's own, but Catmull-Clark's where a scheme for quads meets
+/// Do Catmull-Clark's rules take the place of the scheme's own on this mesh? Where a scheme for quads meets
 /// other polygons, which it splits into quads once for all.
 template <class R>
+bool needs_catmull_clark(const MeshTopology& mesh, const MeshScheme<R>& scheme) {
+  return scheme.split == MeshSplit::quads && mesh.sides() != 4;
+}
+
+/// The rules of a step on this mesh.
+template <class R>
 MeshScheme<R> rules_on(const MeshTopology& mesh, const MeshScheme<R>& scheme) {
-  return scheme.split == MeshSplit::quads && mesh.sides() != 4 ? catmull_clark<R>() : scheme;
+  return needs_catmull_clark(mesh, scheme) ? catmull_clark<R>() : scheme;
 }
 
 /// One step, stencil by stencil: visit(number, stencil) for every vertex of split(mesh), in the order of the
@@ -34,14 +40,20 @@ void for_each_stencil(const MeshTopology& mesh, const MeshScheme<R>& scheme, Vis
   for (int f = 0; f < mesh.faces(); ++f) visit(number++, rules.face_rule(mesh, f));
 }
 
-/// One of these stencils alone.
+/// The stencil of one vertex of split(mesh) by these very rules, without a copy of them.
 template <class R>
-Stencil<R> stencil_of(const MeshTopology& mesh, const MeshScheme<R>& scheme, int number) {
-  const MeshScheme<R> rules = rules_on(mesh, scheme);
+Stencil<R> stencil_by(const MeshTopology& mesh, const MeshScheme<R>& rules, int number) {
   if (number < mesh.vertices()) return rules.vertex_rule(mesh, number);
   number -= mesh.vertices();
   if (number < mesh.edges()) return rules.edge_rule(mesh, mesh.half_edge(number));
   return rules.face_rule(mesh, number - mesh.edges());
+}
+
+/// One of the stencils of a step alone.
+template <class R>
+Stencil<R> stencil_of(const MeshTopology& mesh, const MeshScheme<R>& scheme, int number) {
+  return needs_catmull_clark(mesh, scheme) ? stencil_by(mesh, catmull_clark<R>(), number)
+                                           : stencil_by(mesh, scheme, number);
 }
 
 /// The combination of points (arrays of coordinates) that a stencil says.
