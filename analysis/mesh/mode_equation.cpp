@@ -17,12 +17,14 @@ Eigen::Matrix<bool, Eigen::Dynamic, Eigen::Dynamic> pattern(const Matrix<Functio
   return matrix.unaryExpr([](const Function& f) { return !f.is_zero(); });
 }
 
+constexpr int least_reach_free_valence = 11;
+
 /// The block of all modes k != 0 with w free, from a valence at which the sectors that a rule reads around a
 /// place do not meet on the far side; there every entry is the common value that mode k != 0 does not see.
-Matrix<Function> turning_block(const MeshScheme<Function>& scheme) {
-  constexpr int valence = 11;
+Matrix<Function> turning_block(const FanMatrix<Function>& fan) {
   constexpr int reach = 4;
-  const FanMatrix<Function> fan = fan_matrix(scheme, valence, eigenvalue_rings(scheme));
+  const int valence = fan.valence;
+  if (valence < least_reach_free_valence) throw std::logic_error("sectors may meet on the far side");
   const auto sector = [&](int j) -> const Matrix<Function>& {
     return fan.blocks[static_cast<std::size_t>((j + valence) % valence)];
   };
@@ -111,12 +113,19 @@ Polynomial ModeEquation::product() const {
   return result;
 }
 
+ModeEquation turning_modes(const FanMatrix<RationalFunction>& fan) {
+  return equation_of(turning_block(fan), in_cosine);
+}
+
 ModeEquation turning_modes(const MeshScheme<RationalFunction>& scheme) {
-  return equation_of(turning_block(scheme), in_cosine);
+  return turning_modes(fan_matrix(scheme, least_reach_free_valence, eigenvalue_rings(scheme)));
 }
 
 ModeEquation invariant_mode(const MeshScheme<RationalFunction>& scheme, int valence) {
-  const FanMatrix<Function> fan = fan_matrix(scheme, valence, eigenvalue_rings(scheme));
+  return invariant_mode(fan_matrix(scheme, valence, eigenvalue_rings(scheme)));
+}
+
+ModeEquation invariant_mode(const FanMatrix<RationalFunction>& fan) {
   return equation_of(invariant_block(fan), [](const Function& f) { return f; });
 }
 

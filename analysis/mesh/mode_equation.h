@@ -33,8 +33,14 @@ struct ModeEquation {
 /// prefers an orientation.
 [[nodiscard]] ModeEquation turning_modes(const MeshScheme<RationalFunction>& scheme);
 
+/// Of a matrix at valence 11 or more (std::logic_error), where the sectors that a rule reads around a place
+/// do not meet on the far side, and with weights that depend on the valence only where they are the same for
+/// all sectors.
+[[nodiscard]] ModeEquation turning_modes(const FanMatrix<RationalFunction>& fan);
+
 /// Mode 0 at one valence, the vertex itself included.
 [[nodiscard]] ModeEquation invariant_mode(const MeshScheme<RationalFunction>& scheme, int valence);
+[[nodiscard]] ModeEquation invariant_mode(const FanMatrix<RationalFunction>& fan);
 
 /// Mode 0 at all valences but listed exceptions of the rules: entries of its matrix are linear in 1/n, which
 /// is read off at two valences and verified at a third (std::logic_error).

@@ -106,7 +106,7 @@ void require_triangles(const MeshFile& file, const MeshSchemeDescription& scheme
     if (file.faces.face(f).size() == 3) continue;
     std::vector<std::string> others;
     for (const MeshFamily& family : mesh_catalogue()) {
-      if (family.split == MeshSplit::quads) others.push_back(family.name);
+      if (family.split == MeshSplit::quads && !family.rings_only) others.push_back(family.name);
     }
     throw InputError(fmt::format("{} face {} has {} corners, and {} refines triangles; {} take any faces",
                                  file.place(f), f + 1, file.faces.face(f).size(), scheme.family->name,
@@ -116,6 +116,11 @@ void require_triangles(const MeshFile& file, const MeshSchemeDescription& scheme
 
 MeshSchemeDescription evaluated_mesh_scheme(const std::string& text) {
   MeshSchemeDescription scheme = parse_mesh_scheme(text);
+  if (scheme.family->rings_only) {
+    throw InputError(
+        in_quotes(text) + " makes rings of surface around extraordinary vertices: subdivlab rings " +
+        "INPUT --sigma 1/2 -o OUTPUT; refine takes other schemes for meshes, such as catmull-clark");
+  }
   if (!scheme.free_parameters.empty()) {
     throw InputError(in_quotes(text) + ": " + joined(scheme.free_parameters, "and") +
                      " has no value; meshes are refined for numbers, such as jspline-mesh:s=1/2");

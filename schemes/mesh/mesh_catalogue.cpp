@@ -61,6 +61,15 @@ std::vector<MeshFamily> make_mesh_catalogue() {
                  "control, 1990",
        .parameters = {},
        .split = MeshSplit::triangles},
+      {.name = "adjustable-speed",
+       .summary = "bicubic surface rings around extraordinary vertices, knots in geometric progression",
+       .source = "Karciauskas, Peters: Adjustable speed surface subdivision, 2009",
+       .parameters = {{.name = "sigma",
+                       .meaning = "the speed, 0 < sigma < 1: the hole shrinks by about 1 - sigma a step; 1/2 "
+                                  "Catmull-Clark",
+                       .default_value = ""}},
+       .split = MeshSplit::quads,
+       .rings_only = true},
   };
 }
 
@@ -114,9 +123,10 @@ std::vector<Argument> completed(const MeshFamily& family, const std::vector<Argu
   return result;
 }
 
-/// The values of the arguments.
+}  // namespace
+
 template <class R>
-std::vector<R> values_of(const MeshSchemeDescription& description, std::span<const R> free_values) {
+std::vector<R> parameter_values(const MeshSchemeDescription& description, std::span<const R> free_values) {
   const std::vector<std::string>& free = description.free_parameters;
   if (free_values.size() != free.size())
     throw std::domain_error("a scheme needs one value for each of its free parameters");
@@ -137,6 +147,8 @@ std::vector<R> values_of(const MeshSchemeDescription& description, std::span<con
   return values;
 }
 
+namespace {
+
 template <class R>
 bool may_be_zero(const R& x) {
   if constexpr (std::is_same_v<R, Interval>) return x.contains_zero();
@@ -151,22 +163,55 @@ void require_no_pole(const MeshSchemeDescription& description, const R& s) {
                    "irregular vertices have the weight (1 - s)/(9 - s); jspline-mesh-literal does");
 }
 
+template <class R>
+bool lies_between_0_and_1(const R& sigma) {
+  if constexpr (std::is_same_v<R, Interval>) {
+    return certainly_positive(sigma) && certainly_less(sigma, Interval(1));
+  } else if constexpr (std::is_same_v<R, RationalFunction>) {
+    return !sigma.is_constant() || lies_between_0_and_1(sigma.constant());
+  } else {
+    return R(0) < sigma && sigma < R(1);
+  }
+}
+
+/// Throws InputError when there is no scheme for these values.
+template <class R>
+void require_scheme_over(const MeshSchemeDescription& description, std::span<const R> free_values = {}) {
+  if (!description.family->rings_only) {
+    static_cast<void>(mesh_scheme<R>(description, free_values));
+    return;
+  }
+  if (lies_between_0_and_1(parameter_values<R>(description, free_values).front())) return;
+  throw InputError(
+      in_quotes(description.text) +
+      ": a speed lies strictly between 0 and 1; towards 0 rings become thin, towards 1 they close "
+      "the hole, and 1/2 is Catmull-Clark");
+}
+
+/// The free parameters as indeterminates.
+std::vector<RationalFunction> indeterminates(const MeshSchemeDescription& description) {
+  std::vector<RationalFunction> variables;
+  for (std::size_t i = 0; i < description.free_parameters.size(); ++i)
+    variables.push_back(RationalFunction::variable(static_cast<int>(i)));
+  return variables;
+}
+
 /// Evaluates the scheme over the smallest ring that holds its values, so that errors come out at once.
 void require_scheme(const MeshSchemeDescription& description) {
   try {
     if (!description.free_parameters.empty()) {
-      static_cast<void>(symbolic_mesh_scheme(description));
+      require_scheme_over<RationalFunction>(description, indeterminates(description));
     } else {
-      static_cast<void>(mesh_scheme<Rational>(description));
+      require_scheme_over<Rational>(description);
     }
     return;
   } catch (const OutsideRingError&) {
     if (!description.free_parameters.empty()) return;
   }
   try {
-    static_cast<void>(mesh_scheme<Algebraic>(description));
+    require_scheme_over<Algebraic>(description);
   } catch (const OutsideRingError&) {
-    static_cast<void>(mesh_scheme<Interval>(description));
+    require_scheme_over<Interval>(description);
   }
 }
 
@@ -221,7 +266,12 @@ MeshSchemeDescription parse_mesh_scheme(std::string_view text) {
 template <class R>
 MeshScheme<R> mesh_scheme(const MeshSchemeDescription& description, std::span<const R> free_values) {
   const std::string& name = description.family->name;
-  const std::vector<R> values = values_of(description, free_values);
+  const std::vector<R> values = parameter_values(description, free_values);
+  if (description.family->rings_only) {
+    throw InputError(in_quotes(description.text) +
+                     ": the scheme makes rings of surface around extraordinary vertices and has no rules for "
+                     "whole meshes; subdivlab rings makes them");
+  }
   if (name == "catmull-clark") return catmull_clark<R>();
   if (name == "kobbelt") return kobbelt<R>();
   if (name == "loop") return loop<R>();
@@ -232,6 +282,13 @@ MeshScheme<R> mesh_scheme(const MeshSchemeDescription& description, std::span<co
   require_no_pole(description, values.front());
   return jspline_mesh(values.front());
 }
+
+template std::vector<double> parameter_values(const MeshSchemeDescription&, std::span<const double>);
+template std::vector<Interval> parameter_values(const MeshSchemeDescription&, std::span<const Interval>);
+template std::vector<Rational> parameter_values(const MeshSchemeDescription&, std::span<const Rational>);
+template std::vector<Algebraic> parameter_values(const MeshSchemeDescription&, std::span<const Algebraic>);
+template std::vector<RationalFunction> parameter_values(const MeshSchemeDescription&,
+                                                        std::span<const RationalFunction>);
 
 template MeshScheme<double> mesh_scheme(const MeshSchemeDescription&, std::span<const double>);
 template MeshScheme<Interval> mesh_scheme(const MeshSchemeDescription&, std::span<const Interval>);
@@ -246,10 +303,7 @@ MeshScheme<RationalFunction> symbolic_mesh_scheme(const MeshSchemeDescription& d
     return loop_1987<RationalFunction>(
         [turn = RationalFunction::variable(*turn_variable)](int /*n*/) { return turn; });
   }
-  std::vector<RationalFunction> variables;
-  for (std::size_t i = 0; i < description.free_parameters.size(); ++i)
-    variables.push_back(RationalFunction::variable(static_cast<int>(i)));
-  return mesh_scheme<RationalFunction>(description, variables);
+  return mesh_scheme<RationalFunction>(description, indeterminates(description));
 }
 
 }  // namespace subdiv

@@ -19,6 +19,9 @@ struct MeshFamily {
   std::string source;
   std::vector<Parameter> parameters;
   MeshSplit split = MeshSplit::quads;
+  /// Made for one extraordinary vertex and the rings of surface around it (schemes/adjustable_speed/): there
+  /// are no rules for whole meshes.
+  bool rings_only = false;
 };
 
 /// Every family of mesh schemes, in the order in which they are listed.
@@ -46,14 +49,21 @@ struct MeshSchemeDescription {
 /// Reads NAME [ : parameter = value { , parameter = value } ], values as parse_scheme does; a name in a value
 /// leaves a parameter free. Throws InputError for unknown names (suggesting the nearest; names of schemes for
 /// curves are told apart), for parameters that are unknown or missing, for '+', and for values at which the
-/// scheme does not exist: jspline-mesh at s = 9.
+/// scheme does not exist: jspline-mesh at s = 9, adjustable-speed outside (0, 1).
 [[nodiscard]] MeshSchemeDescription parse_mesh_scheme(std::string_view text);
+
+/// The values of the family's parameters, in its order, over the rings of mesh_scheme; free_values and errors
+/// as there.
+template <class R>
+[[nodiscard]] std::vector<R> parameter_values(const MeshSchemeDescription& description,
+                                              std::span<const R> free_values = {});
 
 /// The described scheme over R = double, Interval, Rational, Algebraic or RationalFunction; free_values[i]
 /// stands for the free parameter i (std::domain_error unless there is one for each). Throws InputError where
 /// a value or the scheme does not exist (also where an interval does not exclude it), OutsideRingError for a
 /// root that R does not hold. The weights of loop-1987 are rational at the valences 3, 4 and 6 only: its
-/// rules throw std::domain_error at others over Rational and RationalFunction.
+/// rules throw std::domain_error at others over Rational and RationalFunction. Throws InputError for families
+/// that make rings only.
 template <class R>
 [[nodiscard]] MeshScheme<R> mesh_scheme(const MeshSchemeDescription& description,
                                         std::span<const R> free_values = {});
