@@ -60,12 +60,12 @@ struct SectorPlace {
 template <class R>
 SectorStencil<R> tensor_stencil(const LineWeights<R>& along, const LineWeights<R>& across) {
   SectorStencil<R> result;
-  for (int i = -1; i <= 2; ++i) {
-    for (int j = -1; j <= 2; ++j) {
-      const R& x = along[static_cast<std::size_t>(i + 1)];
-      const R& y = across[static_cast<std::size_t>(j + 1)];
+  for (std::size_t i = 0; i < along.size(); ++i) {
+    for (std::size_t j = 0; j < across.size(); ++j) {
+      const R& x = along[i];
+      const R& y = across[j];
       if (is_zero(x) || is_zero(y)) continue;
-      const auto [sector, place] = sector_place(i, j);
+      const auto [sector, place] = sector_place(static_cast<int>(i) - 1, static_cast<int>(j) - 1);
       if (place < 0) {
         result.centre = result.centre + x * y;
       } else {

@@ -1,0 +1,284 @@
+#include "analysis/adjustable_speed/speed_spectrum.h"
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <vector>
+
+#include "analysis/adjustable_speed/speed_matrix.h"
+#include "analysis/sign_on_interval.h"
+#include "schemes/algebra/turn.h"
+
+namespace subdiv {
+namespace {
+
+using Function = RationalFunction;
+
+// Of the identities: q, D, c; x is x_7. At one valence D is a polynomial in q.
+const Function q = Function::variable(0);
+const Function s = Function(1) - q;
+const Function D = Function::variable(1);
+const Function c = Function::variable(2);
+const Function x = Function::variable(eigenvalue_variable);
+
+constexpr int far = 11;  // a valence at which no sector is read from both sides
+
+Polynomial monic_quadratic(const ModeEquation& equation) {
+  for (const auto& [factor, multiplicity] : equation.factors) {
+    if (factor.degree(eigenvalue_variable) != 2) continue;
+    const Polynomial leading = factor.coefficients_in(eigenvalue_variable)[2];
+    if (multiplicity != 1 || !leading.is_constant()) break;
+    return factor * Polynomial(Rational(1) / leading.constant());
+  }
+  throw std::logic_error("a mode of adjustable speed has one quadratic factor");
+}
+
+/// A polynomial at x_0 = s, x_1, x_2, x_5 and x.
+Function value(const Polynomial& p, const Function& first, const Function& second, const Function& turn,
+               const Function& at) {
+  const std::array<Function, max_parameters> values{s,           first, second,      Function(0),
+                                                    Function(0), turn,  Function(0), at};
+  return p.evaluate<Function>(values);
+}
+
+/// What P and Q are made of, over Q(q, D, c).
+struct Comparison {
+  Function P;
+  Function Q;
+  Function P_mirrored;  // P(-x)
+  Function a;
+  Function b;
+  Function alpha;
+  Function E;
+  Function G;
+};
+
+Comparison comparison() {
+  const SpeedQuadratics quadratics = speed_quadratics();
+  const Function one(1);
+  const Function beta = Function(18) * s * q * (s * s + q) / D;
+  const Function gamma = Function(9) * s * s * q * q / D;
+  Comparison result;
+  result.P = value(quadratics.invariant, beta, gamma, Function(0), x);
+  result.P_mirrored = value(quadratics.invariant, beta, gamma, Function(0), -x);
+  result.Q = value(quadratics.turning, Function(0), Function(0), c, x);
+  result.E = D * (one - c);
+  result.alpha = Function(9) * q * (one + q) + s * (Function(18) - result.E);
+  result.a = s * q * result.alpha / D;
+  result.b = Function(9) * s * q * q * q * q * (one + q) / D;
+  result.G = (Function(18) - result.E) * (Function(18) - result.E) -
+             Function(9) * (one + c) * (one + q) * result.alpha;
+  return result;
+}
+
+Function denominator_at(int valence) {
+  return Function(9) + Function(valence - 4) * (Function(1) + q) * (Function(1) + q);
+}
+
+/// f with D and c replaced.
+Function at(const Function& f, const Function& denominator, const Function& turn) {
+  const std::array<Function, max_parameters> values{q,           denominator, turn,        Function(0),
+                                                    Function(0), Function(0), Function(0), x};
+  return f.evaluate<Function>(values);
+}
+
+bool positive_inside(const Function& f) { return is_positive(f, open_interval(Rational(0), Rational(1))); }
+
+/// That D stands for what the rules have at valences.
+bool weights_have_this_denominator() {
+  return std::ranges::all_of(std::array{3, 4, 5, 8, 20}, [](int n) {
+    const VertexWeights<Function> weights = vertex_weights(s, n);
+    const Function d = denominator_at(n);
+    return weights.beta * d == Function(18) * s * q * (s * s + q) &&
+           weights.gamma * d == Function(9) * s * s * q * q;
+  });
+}
+
+/// The identities of the header.
+bool identities_hold(const Comparison& k) {
+  const Function one(1);
+  const Function trace = q * (s * s * (one + c) + Function(2) * q);
+  const std::array<Function, max_parameters> at_quotient{q,           D,           c,           Function(0),
+                                                         Function(0), Function(0), Function(0), k.b / k.a};
+  const Function s4 = s * s * s * s;
+  const Function q3 = q * q * q;
+  return k.Q == x * x - trace * x + q3 * q && k.P - k.Q == k.a * x - k.b &&
+         k.a * q * q - k.b == s * s * q3 * (Function(18) - k.E) / D &&
+         k.a * k.a * k.Q.evaluate<Function>(at_quotient) == s4 * q3 * q3 * k.G / (D * D) &&
+         trace * trace - Function(4) * q3 * q ==
+             q * q * s * s * (one + c) * (s * s * (one + c) + Function(4) * q);
+}
+
+/// The interval that [0, 1] x {n} is: q to D.
+Interval denominator_at(int valence, const Interval& at_q) {
+  const Interval sum = Interval(1) + at_q;
+  return Interval(9) + Interval(valence - 4) * sum * sum;
+}
+
+/// The set of speeds in (0, 1) where `holds` is certain: it can only change at roots of the critical
+/// polynomials (in x_0 = q), at which it is asked over an enclosure.
+RealSet open_set(const std::vector<Polynomial>& critical,
+                 const std::function<bool(const Interval& q)>& holds) {
+  std::vector<Algebraic> numbers;
+  for (const Polynomial& p : critical) append_real_roots(p, 0, numbers);
+  std::vector<Algebraic> speeds;
+  for (const Algebraic& number : numbers) speeds.push_back(Algebraic(1) - number);
+  const auto inside = [](const Algebraic& speed) { return Algebraic(0) < speed && speed < Algebraic(1); };
+  return solve_by_cells(
+      [&] {
+        std::vector<Algebraic> kept{Algebraic(0), Algebraic(1)};
+        std::ranges::copy_if(speeds, std::back_inserter(kept), inside);
+        return kept;
+      }(),
+      [&](const Algebraic& speed) { return inside(speed) && holds(Interval(1) - speed.to_interval()); });
+}
+
+/// The polynomial in q that vanishes where one in q and c does for c or a conjugate of it.
+Polynomial eliminated(const Function& f, const Algebraic& turn) {
+  Polynomial minimal;
+  const std::vector<Rational> coefficients = turn.minimal_polynomial();
+  for (std::size_t i = 0; i < coefficients.size(); ++i) {
+    minimal += Polynomial(coefficients[i]) * pow(Polynomial::variable(2), static_cast<unsigned>(i));
+  }
+  return resultant(f.numerator(), minimal, 2);
+}
+
+}  // namespace
+
+SpeedQuadratics speed_quadratics() {
+  const Function sigma = Function::variable(0);
+  const VertexWeights<Function> free{Function::variable(1), Function::variable(2)};
+  const FanMatrix<Function> fan = speed_matrix(sigma, far, free);
+  return {monic_quadratic(invariant_mode(fan)), monic_quadratic(turning_modes(fan))};
+}
+
+bool mode_0_is_compared() {
+  const Comparison k = comparison();
+  if (!weights_have_this_denominator() || !identities_hold(k)) return false;
+  // |C| < q^4 is 0 < b < 2 q^4, where D is smallest: at n = 3.
+  const Function q4 = q * q * q * q;
+  const Function least = denominator_at(3);
+  if (!positive_inside(at(k.b, least, c)) || !positive_inside(Function(2) * q4 - at(k.b, least, c)))
+    return false;
+  // P(-x) - Q(x) = e x - b is positive from q^2 on if e q^2 > b > 0. For n >= 4, D >= 9 and c >= -1: e q^2 -
+  // b grows with c, and is affine in 1/D with a negative slope.
+  const Function e = (k.P_mirrored - k.Q).derivative(eigenvalue_variable);
+  const Function excess = e * q * q - k.b;
+  if (!(k.P_mirrored - k.Q == e * x - k.b)) return false;
+  const Function slope = excess.derivative(1) * D * D;  // by D: minus the one in 1/D
+  const bool affine = slope.derivative(1).is_zero() && excess.derivative(2).derivative(2).is_zero();
+  return affine && positive_inside(slope) && positive_inside(excess.derivative(2)) &&
+         positive_inside(at(excess, Function(9), Function(-1))) &&
+         positive_inside(at(excess, least, fraction<Function>(-1, 2)));
+}
+
+bool lambda_is_subdominant() {
+  if (!mode_0_is_compared()) return false;
+  const Comparison k = comparison();
+  // Q(1) = 1 - T + q^4 falls with c; at c = 1 it is s^2 (1 + q^2).
+  const Function one(1);
+  const std::array<Function, max_parameters> at_one{q,           D,           one,         Function(0),
+                                                    Function(0), Function(0), Function(0), one};
+  if (!(k.Q.evaluate<Function>(at_one) == s * s * (one + q * q))) return false;
+  // D <= 9 at n = 3 and n = 4, where 1 - c is 3/2 and 1.
+  const Function bound(18);
+  for (const auto& [valence, turn] : {std::pair{3, fraction<Function>(-1, 2)}, std::pair{4, Function(0)}}) {
+    if (!positive_inside(bound - at(k.E, denominator_at(valence), turn))) return false;
+  }
+  // D <= 4 n - 7 < 4 n, as q < 1.
+  return certainly_less(Interval(8) * pi() * pi() / Interval(5), Interval(18));
+}
+
+RealSet speeds_with_mode_2_next(int valence) {
+  constexpr int most = 40;
+  if (valence < 5 || valence > most) throw std::invalid_argument("valences from 5 to 40");
+  const Algebraic turn = cosine_of_turn<Algebraic>(2, valence);
+  const Interval enclosed = cosine_of_turn<Interval>(2, valence);
+  const Comparison k = comparison();
+  const Function d = denominator_at(valence);
+  const auto critical = [&](const Function& f) { return eliminated(at(f, d, c), turn); };
+  return open_set({critical(k.alpha), critical(Function(18) - k.E), critical(k.G)},
+                  [&](const Interval& at_q) {
+                    const std::array<Interval, 3> values{at_q, denominator_at(valence, at_q), enclosed};
+                    const Interval E = k.E.evaluate<Interval>(values);
+                    if (certainly_less(E, Interval(18))) return true;
+                    return certainly_positive(k.alpha.evaluate<Interval>(values)) &&
+                           certainly_negative(k.G.evaluate<Interval>(values));
+                  });
+}
+
+bool mode_2_is_next_from_6_on() {
+  constexpr int bounded_from = 18;
+  if (!mode_0_is_compared()) return false;
+  if (!certainly_less(Interval(32) * pi() * pi() / Interval(bounded_from), Interval(18))) return false;
+  for (int n = 6; n < bounded_from; ++n) {
+    const RealSet speeds = speeds_with_mode_2_next(n);
+    if (speeds.parts.size() != 1) return false;
+    const RealInterval& all = speeds.parts[0];
+    if (!all.lower || !all.upper || !(*all.lower == Algebraic(0)) || !(*all.upper == Algebraic(1)))
+      return false;
+  }
+  return true;
+}
+
+bool mode_2_exceeds_square() {
+  const Function sigma = Function::variable(0);
+  const Function v = Function::variable(1);
+  const Function rest = Function(1) - sigma;
+  const Function W = rest + sigma * v;
+  const Function lambda = rest * W;
+  const Function turn = v * v / W - Function(1);
+  const Polynomial Q = speed_quadratics().turning;
+  const auto at_mode = [&](const Function& mode_turn, const Function& place) {
+    const std::array<Function, max_parameters> values{sigma,       Function(0), Function(0), Function(0),
+                                                      Function(0), mode_turn,   Function(0), place};
+    return Q.evaluate<Function>(values);
+  };
+  if (!at_mode(turn, lambda).is_zero()) return false;
+  const Function once = v - Function(1);
+  const Function last = sigma * once * once + v * v + Function(2) * v - Function(1);
+  const Function expected =
+      Function(0) - sigma * sigma * rest * rest * rest * once * once * (Function(1) + rest * rest) * last;
+  if (!(at_mode(Function(2) * turn * turn - Function(1), lambda * lambda) == expected)) return false;
+  // The last factor is at least this one, where it is not negative; v^2 < 2 (1 - s + s v) keeps v below 2.
+  const Function least = sigma * sigma + Function(2) * sigma - Function(1);  // of v, here named x_0
+  return is_positive(least, closed_interval(Rational(1, 2), Rational(2)));
+}
+
+RealSet speeds_with_next_below_square_at_3() {
+  const Comparison k = comparison();
+  const Function d = denominator_at(3);
+  const Function turn = fraction<Function>(-1, 2);
+  const Polynomial Q = at(k.Q, d, turn).numerator();
+  const Function square = x * x;
+  const auto at_place = [&](const Function& f, const Function& place) {
+    const std::array<Function, max_parameters> values{q,           d,           turn,        Function(0),
+                                                      Function(0), Function(0), Function(0), place};
+    return f.evaluate<Function>(values);
+  };
+  const Function C = at_place(k.P, Function(0));
+  // Positive for both roots of P inside lambda^2 (Jury), for q^3 and for q^4/lambda, the other root of Q.
+  const std::array<Function, 6> conditions{at_place(k.P, square), at_place(k.P_mirrored, square),
+                                           square * square - C,   square * square + C,
+                                           square - q * q * q,    square * x - q * q * q * q};
+  std::vector<Polynomial> critical;
+  for (const Function& condition : conditions)
+    critical.push_back(resultant(condition.numerator(), Q, eigenvalue_variable));
+  return open_set(critical, [&](const Interval& at_q) {
+    const Interval speed = Interval(1) - at_q;
+    const Interval half(Rational(1, 2));
+    const Interval trace = at_q * (speed * speed * half + Interval(2) * at_q);
+    const Interval lambda = (trace + sqrt(trace * trace - Interval(4) * pow(at_q, 4))) * half;
+    std::array<Interval, max_parameters> values;
+    values[0] = at_q;
+    values[eigenvalue_variable] = lambda;
+    return std::ranges::all_of(conditions, [&](const Function& condition) {
+      return certainly_positive(condition.evaluate<Interval>(values));
+    });
+  });
+}
+
+}  // namespace subdiv
