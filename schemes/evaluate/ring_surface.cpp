@@ -1,0 +1,285 @@
+#include "schemes/evaluate/ring_surface.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <span>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "schemes/adjustable_speed/limit_point.h"
+#include "schemes/evaluate/nested_rings.h"
+#include "schemes/input_error.h"
+#include "schemes/mesh/fan.h"
+
+namespace subdiv {
+namespace {
+
+constexpr int regular_valence = 4;
+constexpr int least_valence = 3;
+
+bool is_extraordinary(const MeshTopology& mesh, int v) {
+  return mesh.outgoing(v) >= 0 && !mesh.is_border(v) && mesh.valence(v) != regular_valence;
+}
+
+/// Faults that steps do not mend.
+std::optional<RingFault> lasting_fault(const MeshTopology& mesh, int v) {
+  if (mesh.outgoing(v) < 0) return std::nullopt;  // no faces, no surface
+  if (mesh.is_border(v) && mesh.face_count(v) > 2) {
+    return RingFault{v,
+                     fmt::format("vertex {} is extraordinary at the border: {} faces meet there", v + 1,
+                                 mesh.face_count(v)),
+                     false,
+                     "a border vertex has 2 faces, or 1 at a corner; no Catmull-Clark step changes that"};
+  }
+  if (!mesh.is_border(v) && mesh.valence(v) < least_valence) {
+    return RingFault{v, fmt::format("vertex {} has valence {}", v + 1, mesh.valence(v)), false,
+                     "rings need valence 3 or more; join the faces there"};
+  }
+  return std::nullopt;
+}
+
+std::string partner(const MeshTopology& mesh, int v) {
+  if (mesh.is_border(v)) return fmt::format("vertex {} of the border", v + 1);
+  return fmt::format("vertex {} of valence {}", v + 1, mesh.valence(v));
+}
+
+/// Does a face around v have another corner that is extraordinary or at the border?
+std::optional<RingFault> crowded(const MeshTopology& mesh, int v) {
+  std::optional<RingFault> fault;
+  for_each_outgoing(mesh, v, [&](int spoke) {
+    for (int h = mesh.next(spoke); h != spoke && !fault; h = mesh.next(h)) {
+      const int other = mesh.origin(h);
+      if (!mesh.is_border(other) && !is_extraordinary(mesh, other)) continue;
+      fault = RingFault{v,
+                        fmt::format("vertex {} of valence {} shares face {} with {}", v + 1, mesh.valence(v),
+                                    mesh.face(h) + 1, partner(mesh, other)),
+                        true, "a Catmull-Clark step puts two edges between them"};
+    }
+  });
+  return fault;
+}
+
+Point3 mean(const Point3& a, const Point3& b) {
+  return {(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2};
+}
+
+double distance(const Point3& a, const Point3& b) {
+  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+/// The Bezier points of the uniform bicubic spline, each made once: those inside a face belong to its
+/// corners, those of an edge to its ends. Meaningful where the corners at hand are regular.
+class UniformPatches {
+ public:
+  UniformPatches(const MeshTopology& mesh, const std::vector<Point3>& points)
+      : mesh_(mesh),
+        inner_(static_cast<std::size_t>(mesh.half_edges())),
+        on_edge_(inner_.size()),
+        after_(inner_.size()),
+        at_vertex_(points.size()) {
+    for (int h = 0; h < mesh.half_edges(); ++h) make_inner(h, points);
+    for (int h = 0; h < mesh.half_edges(); ++h) make_edge(h, points);
+    for (int v = 0; v < mesh.vertices(); ++v) make_vertex(v, points);
+  }
+
+  /// b_(0, 0) at the origin of `corner`, i along it.
+  [[nodiscard]] BezierPatch<Point3> patch(int corner) const {
+    const int right = mesh_.next(corner);
+    const int far = mesh_.next(right);
+    const int left = mesh_.next(far);
+    const auto v = [&](int h) { return at_vertex_[static_cast<std::size_t>(mesh_.origin(h))]; };
+    const auto e = [&](int h) { return on_edge_[static_cast<std::size_t>(h)]; };
+    const auto a = [&](int h) { return after_[static_cast<std::size_t>(h)]; };
+    const auto f = [&](int h) { return inner_[static_cast<std::size_t>(h)]; };
+    return {v(corner), a(left),   e(left),  v(left),  //
+            e(corner), f(corner), f(left),  a(far),   //
+            a(corner), f(right),  f(far),   e(far),   //
+            v(right),  e(right),  a(right), v(far)};
+  }
+
+ private:
+  void make_inner(int h, const std::vector<Point3>& points) {
+    const auto at = [&](int k) { return points[static_cast<std::size_t>(mesh_.origin(k))]; };
+    const Point3 v = at(h);
+    const Point3 right = at(mesh_.next(h));
+    const Point3 far = at(mesh_.next(mesh_.next(h)));
+    const Point3 left = at(mesh_.previous(h));
+    for (std::size_t d = 0; d < v.size(); ++d)
+      inner_[static_cast<std::size_t>(h)][d] = (4 * v[d] + 2 * (right[d] + left[d]) + far[d]) / 9;
+  }
+  /// The points of the edge of h, from the side that numbers the edge.
+  void make_edge(int h, const std::vector<Point3>& points) {
+    const auto slot = static_cast<std::size_t>(h);
+    const auto next = static_cast<std::size_t>(mesh_.next(h));
+    const int o = mesh_.opposite(h);
+    if (o < 0) {  // the border is the cubic spline of its vertices
+      const Point3& p = points[static_cast<std::size_t>(mesh_.origin(h))];
+      const Point3& q = points[static_cast<std::size_t>(mesh_.target(h))];
+      for (std::size_t d = 0; d < p.size(); ++d) {
+        on_edge_[slot][d] = (2 * p[d] + q[d]) / 3;
+        after_[slot][d] = (p[d] + 2 * q[d]) / 3;
+      }
+      return;
+    }
+    if (mesh_.half_edge(mesh_.edge(h)) != h) return;
+    const auto across = static_cast<std::size_t>(o);
+    on_edge_[slot] = mean(inner_[slot], inner_[static_cast<std::size_t>(mesh_.next(o))]);
+    after_[slot] = mean(inner_[next], inner_[across]);
+    on_edge_[across] = after_[slot];
+    after_[across] = on_edge_[slot];
+  }
+  void make_vertex(int v, const std::vector<Point3>& points) {
+    Point3& result = at_vertex_[static_cast<std::size_t>(v)];
+    result = points[static_cast<std::size_t>(v)];
+    if (mesh_.outgoing(v) < 0 || mesh_.face_count(v) == 1) return;
+    if (mesh_.is_border(v)) {
+      const int out = mesh_.outgoing(v);
+      int last = out;  // the last half-edge that leaves v; the one before it comes in along the border
+      while (mesh_.turn_left(last) >= 0) last = mesh_.turn_left(last);
+      result = mean(on_edge_[static_cast<std::size_t>(out)],
+                    after_[static_cast<std::size_t>(mesh_.previous(last))]);
+      return;
+    }
+    Point3 sum{};
+    for_each_outgoing(mesh_, v, [&](int h) {
+      for (std::size_t d = 0; d < sum.size(); ++d) sum[d] += inner_[static_cast<std::size_t>(h)][d];
+    });
+    for (std::size_t d = 0; d < sum.size(); ++d) result[d] = sum[d] / mesh_.valence(v);
+  }
+
+  const MeshTopology& mesh_;
+  std::vector<Point3> inner_;    // of each half-edge: next to its origin, inside its face
+  std::vector<Point3> on_edge_;  // on it, next to its origin
+  std::vector<Point3> after_;    // on it, next to its target
+  std::vector<Point3> at_vertex_;
+};
+
+/// Makes the rings vertex by vertex; weights and bounds are made once a valence.
+class RingMaker {
+ public:
+  RingMaker(const MeshTopology& mesh, const std::vector<Point3>& points, const SpeedSchedule& schedule,
+            const UniformPatches& uniform)
+      : mesh_(mesh), points_(points), schedule_(schedule), uniform_(uniform) {}
+
+  /// Adds ring k to group[k], the cap to group[m + 1].
+  void add(int vertex, std::vector<std::vector<BezierPatch<Point3>>>& groups, RingSurface& surface) {
+    const int spoke = mesh_.outgoing(vertex);
+    const std::optional<std::vector<int>> around = fan_vertices(mesh_, spoke, 2);
+    if (!around) throw InputError(fmt::format("vertex {}: its two rings are not complete", vertex + 1));
+    std::vector<Point3> net;
+    double greatest = 0;
+    for (const int v : *around) {
+      net.push_back(points_[static_cast<std::size_t>(v)]);
+      for (const double x : net.back()) greatest = std::max(greatest, std::abs(x));
+    }
+    const int n = mesh_.valence(vertex);
+    const SectorNet<Point3> sectors(n, std::move(net));
+    const Point3 limit = vertex_point(sectors, uniform_limit_weights<double>(n));
+    std::vector<BezierPatch<Point3>> first;  // as the faces around see the n faces
+    for_each_outgoing(mesh_, vertex,
+                      [&](int h) { first.push_back(uniform_.patch(mesh_.next(mesh_.next(h)))); });
+    NestedRings<Point3> rings;
+    if (schedule_.size() > 0) {
+      const auto& weights = of_valence(n).weights;
+      rings = nested_rings<Point3, double>(
+          sectors, schedule_.steps(), [&](std::size_t k) { return weights[k]; }, first);
+    } else {
+      rings.hole = first;
+    }
+    const RingHole hole{vertex, n, size(first, limit), size(rings.hole, limit)};
+    const double rounding = schedule_.size() > 0 ? of_valence(n).rounding * greatest : 0;
+    require_digits(hole, rounding);
+    surface.holes.push_back(hole);
+    surface.rounding = std::max(surface.rounding, rounding);
+    for (std::size_t k = 0; k < rings.rings.size(); ++k) {
+      for (const RingSector<Point3>& sector : rings.rings[k])
+        groups[k + 1].insert(groups[k + 1].end(), {sector.corner, sector.next_side, sector.first_side});
+    }
+    for (BezierPatch<Point3>& patch : rings.hole) {
+      patch[15] = limit;
+      groups.back().push_back(patch);
+    }
+  }
+
+ private:
+  struct OfValence {
+    std::vector<VertexWeights<double>> weights;
+    double rounding = 0;
+  };
+  const OfValence& of_valence(int n) {
+    const auto found = of_valence_.find(n);
+    if (found != of_valence_.end()) return found->second;
+    return of_valence_.emplace(n, OfValence{schedule_.weights(n), schedule_.rounding(n)}).first->second;
+  }
+  static double size(const std::vector<BezierPatch<Point3>>& borders, const Point3& limit) {
+    double result = 0;
+    for (const BezierPatch<Point3>& b : borders)
+      result = std::max({result, distance(b[0], limit), distance(b[3], limit)});
+    return result;
+  }
+  void require_digits(const RingHole& hole, double rounding) const {
+    constexpr double digits = 1e-3;
+    const double least = std::min(hole.size, schedule_.least_width() * hole.first_size);
+    if (rounding <= digits * least || hole.first_size == 0) return;
+    throw InputError(
+        fmt::format("vertex {}: after these speeds the narrowest ring, or the hole, is {:.1e} wide, and "
+                    "coordinates may be off by {:.1e}: fewer than three digits are left; take fewer steps or "
+                    "speeds farther from 0 and 1",
+                    hole.vertex + 1, least, rounding));
+  }
+
+  const MeshTopology& mesh_;
+  const std::vector<Point3>& points_;
+  const SpeedSchedule& schedule_;
+  const UniformPatches& uniform_;
+  std::map<int, OfValence> of_valence_;
+};
+
+}  // namespace
+
+std::optional<RingFault> find_ring_fault(const MeshTopology& mesh) {
+  for (int v = 0; v < mesh.vertices(); ++v) {
+    if (std::optional<RingFault> fault = lasting_fault(mesh, v)) return fault;
+  }
+  for (int f = 0; f < mesh.faces(); ++f) {
+    if (mesh.degree(f) == regular_valence) continue;
+    const int v = mesh.origin(mesh.first(f));
+    return RingFault{v, fmt::format("face {} at vertex {} has {} corners", f + 1, v + 1, mesh.degree(f)),
+                     true, "rings are for quads; a Catmull-Clark step makes quads of all faces"};
+  }
+  for (int v = 0; v < mesh.vertices(); ++v) {
+    if (!is_extraordinary(mesh, v)) continue;
+    if (std::optional<RingFault> fault = crowded(mesh, v)) return fault;
+  }
+  return std::nullopt;
+}
+
+RingSurface ring_surface(const MeshTopology& mesh, const std::vector<Point3>& points,
+                         const SpeedSchedule& schedule, const RingSurfaceOptions& options) {
+  if (const std::optional<RingFault> fault = find_ring_fault(mesh))
+    throw InputError(fault->what + ": " + fault->remedy);
+  const UniformPatches uniform(mesh, points);
+  std::vector<std::vector<BezierPatch<Point3>>> groups(schedule.size() + 2);
+  RingSurface surface;
+  std::vector<bool> in_rings(static_cast<std::size_t>(mesh.faces()), false);
+  RingMaker maker(mesh, points, schedule, uniform);
+  for (int v = 0; v < mesh.vertices(); ++v) {
+    if (!is_extraordinary(mesh, v)) continue;
+    maker.add(v, groups, surface);
+    for_each_outgoing(mesh, v, [&](int h) { in_rings[static_cast<std::size_t>(mesh.face(h))] = true; });
+  }
+  for (int f = 0; options.regular_faces && f < mesh.faces(); ++f) {
+    if (!in_rings[static_cast<std::size_t>(f)]) groups[0].push_back(uniform.patch(mesh.first(f)));
+  }
+  if (!options.fill) groups.back().clear();
+  for (const auto& group : groups) {
+    surface.patches.insert(surface.patches.end(), group.begin(), group.end());
+    surface.begin.push_back(surface.patches.size());
+  }
+  return surface;
+}
+
+}  // namespace subdiv

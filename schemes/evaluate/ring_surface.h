@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "schemes/evaluate/mesh_refinement.h"
+#include "schemes/evaluate/speed_schedule.h"
+#include "schemes/evaluate/surface_ring.h"
+#include "schemes/mesh/mesh_topology.h"
+
+namespace subdiv {
+
+/// Catmull-Clark surfaces with rings of adjustable speed (Karciauskas & Peters: Adjustable speed surface
+/// subdivision, 2009): a mesh of quads as bicubic Bezier patches. A face whose corners all are regular (4
+/// faces; 2 at the border, 1 at its corners) is one patch of the uniform bicubic spline; at borders the mesh
+/// is continued by 2 P_0 - P_1, which is what catmull_clark() does there. The n faces around an
+/// extraordinary vertex are m rings of 3 n patches, one ring a step, and what the last one leaves open: n
+/// patches of the cap, or a hole. All join C2 but for the cap, which is C2 outwards alone.
+
+/// What keeps a mesh from having these rings: two extraordinary vertices or one and a border vertex in one
+/// face, faces that are no quads, vertices that are extraordinary at the border or of valence 2.
+struct RingFault {
+  int vertex = 0;           // from 0
+  std::string what;         // "vertex 3 has valence 5 and shares a face with vertex 8 of the border"
+  bool step_helps = false;  // whether Catmull-Clark steps mend it: one among quads
+  std::string remedy;       // "a Catmull-Clark step puts two edges between them"
+};
+/// The first fault, those that no step mends before the others.
+[[nodiscard]] std::optional<RingFault> find_ring_fault(const MeshTopology& mesh);
+
+/// What the rings around one vertex leave open. Its size is the greatest distance of the corners of its
+/// boundary from the limit point; that of the first border is the size without rings.
+struct RingHole {
+  int vertex = 0;  // from 0
+  int valence = 0;
+  double first_size = 0;
+  double size = 0;
+};
+
+/// Patches in groups: 0 the regular faces, k = 1 .. m ring k of every extraordinary vertex, m + 1 the caps.
+/// Group k is patches[begin[k]] .. patches[begin[k + 1] - 1].
+struct RingSurface {
+  std::vector<BezierPatch<Point3>> patches;
+  std::vector<std::size_t> begin{0};
+  std::vector<RingHole> holes;
+  double rounding = 0;  // no coordinate of a ring is farther from that of the exact rules
+
+  [[nodiscard]] std::size_t groups() const { return begin.size() - 1; }
+};
+
+struct RingSurfaceOptions {
+  bool regular_faces = true;  // else group 0 is empty
+  bool fill = false;          // else the last group is empty
+};
+
+/// Throws InputError for a fault, and for steps that leave fewer than three decimal digits of a ring or a
+/// hole in double. Linear in the number of patches. Corners of patches that meet are equal bit by bit, and so
+/// are their whole edges where two patches share one; along the outermost line of a ring one patch outside
+/// meets two.
+[[nodiscard]] RingSurface ring_surface(const MeshTopology& mesh, const std::vector<Point3>& points,
+                                       const SpeedSchedule& schedule, const RingSurfaceOptions& options = {});
+
+}  // namespace subdiv
