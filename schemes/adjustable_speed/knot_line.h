@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "schemes/algebra/ring.h"
+
 namespace subdiv {
 
 /// Weights of the control points P_{-1}, P_0, P_1, P_2 of a knot line.
@@ -62,8 +64,11 @@ class KnotLine {
     const R width = values_[high] - values_[low];
     const R below = (values_[high] - values_[argument]) / width;
     const R above = (values_[argument] - values_[low]) / width;
-    LineWeights<R> result;
-    for (std::size_t i = 0; i < result.size(); ++i) result[i] = below * at_low[i] + above * at_high[i];
+    LineWeights<R> result{R(0), R(0), R(0), R(0)};
+    for (std::size_t i = 0; i < result.size(); ++i) {  // zeros stay so whatever is known of the knots
+      if (!is_zero(at_low[i])) add_product(result[i], below, at_low[i]);
+      if (!is_zero(at_high[i])) add_product(result[i], above, at_high[i]);
+    }
     return result;
   }
 
