@@ -53,6 +53,7 @@ struct CommandLine {
   EigenOptions eigen_options;
   RefineOptions refine_options;
   std::pair<std::string, std::string> refine_words;  // in the order in which they stand
+  RingsOptions rings_options;
   MeasureOptions measure_options;
   ListOptions list_options;
 
@@ -69,6 +70,7 @@ struct CommandLine {
     add_certify();
     add_eigen();
     add_refine();
+    add_rings();
     add_measure();
     add_list();
   }
@@ -266,6 +268,43 @@ struct CommandLine {
     if (scheme.empty()) throw CLI::RequiredError("INPUT");
     if (!input.empty()) throw CLI::ExcludesError("SCHEME", "--scheme");
     refine_options.input = scheme;
+  }
+
+  void add_rings() {
+    auto& options = rings_options;
+    CLI::App& verb = *app.add_subcommand(
+        "rings", "Surface rings of adjustable speed around extraordinary vertices of a mesh of quads");
+    verb.add_option("INPUT", options.input, "A mesh: .obj, .off or .ply")->required();
+    verb.add_option("--sigma", options.sigma,
+                    "Speeds between 0 and 1, one a step; 1/2 is Catmull-Clark's (default: no steps)")
+        ->type_name("S[,S...]");
+    verb.add_option("--out,-o", options.out,
+                    "The surface, each patch as quads: .obj in groups, .off, .ply or .svg; - for standard "
+                    "output")
+        ->type_name("OUTPUT");
+    verb.add_option("--control-points", options.control_points,
+                    "The patches: .obj with free-form surfaces, or .bv for BezierView")
+        ->type_name("FILE");
+    verb.add_flag("--catmull-clark-step", options.catmull_clark_steps,
+                  "Refine the mesh once first (twice when given twice): quads, and extraordinary vertices "
+                  "apart from each other and from borders");
+    verb.add_flag("--fill", options.fill, "Fill what the last ring leaves open with bicubic caps");
+    constexpr int most = 1024;
+    verb.add_option("--tessellation", options.tessellation, "N x N quads for each patch")
+        ->type_name("N")
+        ->check(CLI::Range(1, most))
+        ->capture_default_str();
+    verb.add_flag("--rings-only", options.rings_only, "Leave out the patches of regular faces");
+    verb.add_flag("--json", options.json,
+                  "Machine-readable report of patches and holes; numbers are strings");
+    verb.footer(
+        std::string("Order: regular faces, then ring 1 of every extraordinary vertex, ring 2, .., caps; in "
+                    ".obj files groups regular, ring_1, .., cap.\n\n"
+                    "Examples:  subdivlab rings mesh.obj --sigma 1/2,3/4 -o rings.obj\n"
+                    "           subdivlab rings mesh.ply --sigma 3/4,3/4 --fill --tessellation 8 -o "
+                    "surface.ply --control-points patches.bv\n\n") +
+        exit_codes);
+    verb.callback([this] { action = [this] { return rings(rings_options); }; });
   }
 
   void add_measure() {

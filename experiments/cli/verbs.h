@@ -84,6 +84,21 @@ struct RefineOptions {
 /// Refines a polygon, a grid or a mesh and writes it as it comes.
 [[nodiscard]] int refine(const RefineOptions& options);
 
+struct RingsOptions {
+  std::string input;            // a mesh, .obj, .off or .ply
+  std::string sigma;            // "1/2,3/4": a speed a step; empty for no steps
+  std::string out;              // .obj, .off, .ply, .svg or - for standard output; may be empty
+  std::string control_points;   // .obj (free-form) or .bv; may be empty
+  int catmull_clark_steps = 0;  // before the rings
+  int tessellation = 4;         // of each patch, N x N quads
+  bool fill = false;            // a cap for each hole
+  bool rings_only = false;      // leave out the patches of regular faces
+  bool json = false;
+};
+/// Writes the Catmull-Clark surface of a mesh in bicubic patches, with rings of adjustable speed around
+/// extraordinary vertices, and prints what they leave open.
+[[nodiscard]] int rings(const RingsOptions& options);
+
 struct MeasureOptions {
   std::string input;
   std::string open;    // whether the polygon is open: clamped, reflected for a scheme; "plain" without
