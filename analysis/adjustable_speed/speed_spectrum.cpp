@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "analysis/adjustable_speed/speed_matrix.h"
+#include "analysis/decision.h"
 #include "analysis/sign_on_interval.h"
 #include "schemes/algebra/turn.h"
 
@@ -112,28 +113,30 @@ bool identities_hold(const Comparison& k) {
              q * q * s * s * (one + c) * (s * s * (one + c) + Function(4) * q);
 }
 
-/// The interval that [0, 1] x {n} is: q to D.
+/// D over an interval of q.
 Interval denominator_at(int valence, const Interval& at_q) {
   const Interval sum = Interval(1) + at_q;
   return Interval(9) + Interval(valence - 4) * sum * sum;
 }
 
-/// The set of speeds in (0, 1) where `holds` is certain: it can only change at roots of the critical
-/// polynomials (in x_0 = q), at which it is asked over an enclosure.
-RealSet open_set(const std::vector<Polynomial>& critical,
-                 const std::function<bool(const Interval& q)>& holds) {
-  std::vector<Algebraic> numbers;
-  for (const Polynomial& p : critical) append_real_roots(p, 0, numbers);
-  std::vector<Algebraic> speeds;
-  for (const Algebraic& number : numbers) speeds.push_back(Algebraic(1) - number);
-  const auto inside = [](const Algebraic& speed) { return Algebraic(0) < speed && speed < Algebraic(1); };
-  return solve_by_cells(
-      [&] {
-        std::vector<Algebraic> kept{Algebraic(0), Algebraic(1)};
-        std::ranges::copy_if(speeds, std::back_inserter(kept), inside);
-        return kept;
-      }(),
-      [&](const Algebraic& speed) { return inside(speed) && holds(Interval(1) - speed.to_interval()); });
+/// The set of speeds in (0, 1) with the answer yes. It can only change at roots of the critical polynomials
+/// (in x_0 = q), where the question is asked over an enclosure and may stay open: they do not belong to the
+/// set then.
+RealSet speeds_with(const std::vector<Polynomial>& critical,
+                    const std::function<Decision(const Interval& q)>& ask) {
+  std::vector<Algebraic> roots;
+  for (const Polynomial& p : critical) append_real_roots(p, 0, roots);
+  std::vector<Algebraic> ends{Algebraic(0), Algebraic(1)};
+  for (const Algebraic& root : roots) {
+    if (Algebraic(0) < root && root < Algebraic(1)) ends.push_back(Algebraic(1) - root);
+  }
+  return solve_by_cells(ends, [&](const Algebraic& speed) {
+    if (!(Algebraic(0) < speed && speed < Algebraic(1))) return false;
+    const Decision answer = ask(Interval(1) - speed.to_interval());
+    if (answer == Decision::undecided && std::ranges::find(ends, speed) == ends.end())
+      throw std::logic_error("between critical speeds the answer is open");
+    return answer == Decision::yes;
+  });
 }
 
 /// The polynomial in q that vanishes where one in q and c does for c or a conjugate of it.
@@ -200,14 +203,19 @@ RealSet speeds_with_mode_2_next(int valence) {
   const Comparison k = comparison();
   const Function d = denominator_at(valence);
   const auto critical = [&](const Function& f) { return eliminated(at(f, d, c), turn); };
-  return open_set({critical(k.alpha), critical(Function(18) - k.E), critical(k.G)},
-                  [&](const Interval& at_q) {
-                    const std::array<Interval, 3> values{at_q, denominator_at(valence, at_q), enclosed};
-                    const Interval E = k.E.evaluate<Interval>(values);
-                    if (certainly_less(E, Interval(18))) return true;
-                    return certainly_positive(k.alpha.evaluate<Interval>(values)) &&
-                           certainly_negative(k.G.evaluate<Interval>(values));
-                  });
+  return speeds_with(
+      {critical(k.alpha), critical(Function(18) - k.E), critical(k.G)}, [&](const Interval& at_q) {
+        const std::array<Interval, 3> values{at_q, denominator_at(valence, at_q), enclosed};
+        const Interval E = k.E.evaluate<Interval>(values);
+        const Interval alpha = k.alpha.evaluate<Interval>(values);
+        const Interval G = k.G.evaluate<Interval>(values);
+        if (certainly_less(E, Interval(18)) || (certainly_positive(alpha) && certainly_negative(G)))
+          return Decision::yes;
+        const bool exceeded =
+            certainly_negative(alpha) ||
+            (certainly_positive(alpha) && certainly_positive(G) && certainly_less(Interval(18), E));
+        return exceeded ? Decision::no : Decision::undecided;
+      });
 }
 
 bool mode_2_is_next_from_6_on() {
@@ -267,7 +275,7 @@ RealSet speeds_with_next_below_square_at_3() {
   std::vector<Polynomial> critical;
   for (const Function& condition : conditions)
     critical.push_back(resultant(condition.numerator(), Q, eigenvalue_variable));
-  return open_set(critical, [&](const Interval& at_q) {
+  return speeds_with(critical, [&](const Interval& at_q) {
     const Interval speed = Interval(1) - at_q;
     const Interval half(Rational(1, 2));
     const Interval trace = at_q * (speed * speed * half + Interval(2) * at_q);
@@ -275,9 +283,13 @@ RealSet speeds_with_next_below_square_at_3() {
     std::array<Interval, max_parameters> values;
     values[0] = at_q;
     values[eigenvalue_variable] = lambda;
-    return std::ranges::all_of(conditions, [&](const Function& condition) {
-      return certainly_positive(condition.evaluate<Interval>(values));
-    });
+    Decision answer = Decision::yes;
+    for (const Function& condition : conditions) {
+      const Interval found = condition.evaluate<Interval>(values);
+      if (certainly_negative(found)) return Decision::no;
+      if (!certainly_positive(found)) answer = Decision::undecided;
+    }
+    return answer;
   });
 }
 
