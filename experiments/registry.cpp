@@ -18,6 +18,7 @@
 #include "experiments/ringing.h"
 #include "experiments/smoothness.h"
 #include "experiments/smoothness_maps.h"
+#include "experiments/speed_rules.h"
 #include "experiments/speed_spectrum.h"
 #include "experiments/surfaces.h"
 #include "experiments/tension_ranges.h"
@@ -63,6 +64,8 @@ std::span<const Experiment> experiments() {
                  characteristic_map_heads, run_characteristic_maps},
       Experiment{"mesh-figures", "Figures of meshes, weights of Loop and butterfly (jsplines 10; notes 4, 5)",
                  mesh_figure_heads, run_mesh_figures},
+      Experiment{"speed-rules", "Rules and conversions of adjustable speed (speed II, III, IV, V)",
+                 speed_rule_heads, run_speed_rules},
       Experiment{"speed-spectrum", "Eigenvalues of adjustable speed (speed III)", speed_spectrum_heads,
                  run_speed_spectrum},
   };

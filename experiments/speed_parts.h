@@ -1,0 +1,42 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "analysis/adjustable_speed/sector_form.h"
+#include "experiments/experiment.h"
+#include "schemes/algebra/rational_function.h"
+
+namespace subdiv {
+
+/// The parts of the experiment on the rules of adjustable speed: heads, and the claims of a table that holds
+/// them.
+
+/// (1), the limit point and Catmull-Clark.
+[[nodiscard]] std::vector<ClaimHead> speed_limit_heads();
+void add_speed_limit(Results& results, std::span<const ClaimHead> heads);
+
+/// Changes of knots: (10), sigma from step to step, sigma towards 1.
+[[nodiscard]] std::vector<ClaimHead> speed_change_heads();
+void add_speed_changes(Results& results, std::span<const ClaimHead> heads);
+
+/// Variables of the identities: x_0 .. x_4, and the names that texts give them.
+namespace speed_variables {
+inline const RationalFunction sigma = RationalFunction::variable(0);
+inline const RationalFunction beta = RationalFunction::variable(1);
+inline const RationalFunction gamma = RationalFunction::variable(2);
+inline const RationalFunction valence = RationalFunction::variable(3);
+inline const RationalFunction tau = RationalFunction::variable(4);
+inline const std::vector<std::string> names{"σ", "β", "γ", "n", "τ"};
+}  // namespace speed_variables
+
+/// Paper (1) with n and the speed free.
+[[nodiscard]] VertexWeights<RationalFunction> printed_vertex_weights(const RationalFunction& speed);
+/// (4 sum of edges + sum of faces + n^2 v)/(n (n + 5)): Catmull-Clark's limit point.
+[[nodiscard]] SectorForm<RationalFunction> catmull_clark_limit();
+/// The limit point of adjustable speed by the paper's formulas for beta and gamma with a breve.
+[[nodiscard]] SectorForm<RationalFunction> printed_limit(const RationalFunction& speed,
+                                                         const VertexWeights<RationalFunction>& weights);
+
+}  // namespace subdiv
