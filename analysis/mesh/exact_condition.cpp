@@ -9,11 +9,7 @@
 namespace subdiv {
 
 Decision exact_condition(const MeshScheme<Rational>& scheme, int valence) {
-  return exact_condition(fan_matrix(scheme, valence, eigenvalue_rings(scheme)));
-}
-
-Decision exact_condition(const FanMatrix<Rational>& fan) {
-  const Matrix<Rational> matrix = full_matrix(fan);
+  const Matrix<Rational> matrix = full_matrix(fan_matrix(scheme, valence, eigenvalue_rings(scheme)));
   const std::vector<Eigenvalue> all = eigenvalues(matrix);  // by decreasing modulus
   const Algebraic one(1);
   std::vector<const Eigenvalue*> others;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "analysis/decision.h"
-#include "analysis/mesh/fan_matrix.h"
 #include "schemes/mesh/mesh_scheme.h"
 
 namespace subdiv {
@@ -11,6 +10,5 @@ namespace subdiv {
 /// modulus is reached by more than one real number, or by one of another multiplicity than 2; `undecided`
 /// otherwise. The cost grows with the cube of the valence and more: some 10 ms at valence 3.
 [[nodiscard]] Decision exact_condition(const MeshScheme<Rational>& scheme, int valence);
-[[nodiscard]] Decision exact_condition(const FanMatrix<Rational>& fan);
 
 }  // namespace subdiv

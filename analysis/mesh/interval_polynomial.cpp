@@ -82,7 +82,37 @@ std::vector<std::complex<double>> approximate_roots(const IntervalPolynomial& p)
   return {solver.eigenvalues().data(), solver.eigenvalues().data() + n};
 }
 
+namespace {
+
+/// Of a x^2 + b x + c by the formula: the larger real root first, the other from the product, so that roots
+/// of very different size keep their digits. Nothing when the discriminant's sign or a's is open.
+std::optional<std::vector<ComplexRoot>> quadratic_roots(const IntervalPolynomial& p) {
+  const Interval& a = p[2];
+  const Interval& b = p[1];
+  const Interval& c = p[0];
+  const Interval discriminant = b * b - Interval(4) * a * c;
+  if (a.contains_zero()) return std::nullopt;
+  const Interval half = -b / (Interval(2) * a);
+  if (certainly_negative(discriminant)) {
+    const Interval imaginary = abs(sqrt(-discriminant) / (Interval(2) * a));
+    return {{{half, imaginary, 1}, {half, -imaginary, 1}}};
+  }
+  if (!certainly_positive(discriminant)) return std::nullopt;
+  const Interval root = sqrt(discriminant);
+  if (b.contains_zero()) {
+    const Interval off = root / (Interval(2) * a);
+    return {{{half + off, Interval(0), 1}, {half - off, Interval(0), 1}}};
+  }
+  const Interval sum = certainly_positive(b) ? -b - root : -b + root;  // no cancellation
+  return {{{sum / (Interval(2) * a), Interval(0), 1}, {Interval(2) * c / sum, Interval(0), 1}}};
+}
+
+}  // namespace
+
 std::optional<std::vector<ComplexRoot>> enclosed_roots(const IntervalPolynomial& p) {
+  if (p.size() == 3) {
+    if (auto roots = quadratic_roots(p)) return roots;
+  }
   const auto n = static_cast<long>(p.size()) - 1;
   acb_poly_t poly;
   acb_poly_init(poly);

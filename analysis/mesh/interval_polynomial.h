@@ -29,8 +29,8 @@ struct PolynomialFamily {
 /// All complex roots of the midpoint polynomial, in double precision: not proved.
 [[nodiscard]] std::vector<std::complex<double>> approximate_roots(const IntervalPolynomial& p);
 
-/// Enclosures of all complex roots, by Arb; real roots are marked by the imaginary part 0. Nothing when they
-/// cannot be isolated from each other.
+/// Enclosures of all complex roots, by Arb, for quadratics by the formula; real roots are marked by the
+/// imaginary part 0. Nothing when they cannot be isolated from each other.
 [[nodiscard]] std::optional<std::vector<ComplexRoot>> enclosed_roots(const IntervalPolynomial& p);
 
 /// Counts the roots of a family inside circles, with proof, from approximate roots z_j of the middle and q =

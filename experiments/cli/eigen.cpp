@@ -11,12 +11,17 @@
 
 #include <nlohmann/json.hpp>
 
+#include "analysis/adjustable_speed/characteristic_ring_map.h"
+#include "analysis/adjustable_speed/speed_matrix.h"
+#include "analysis/adjustable_speed/speed_spectrum.h"
 #include "analysis/mesh/characteristic_map.h"
 #include "analysis/mesh/exact_condition.h"
 #include "analysis/mesh/spectral_condition.h"
+#include "analysis/sign_on_interval.h"
 #include "experiments/cli/over.h"
 #include "experiments/cli/verbs.h"
 #include "experiments/report/record.h"
+#include "schemes/adjustable_speed/limit_point.h"
 #include "schemes/expression_ring.h"
 #include "schemes/input_error.h"
 #include "schemes/mesh/mesh_catalogue.h"
@@ -59,16 +64,56 @@ Valences parse_valences(const std::string& text) {
 
 /// The exact equations of a scheme: of the modes k != 0, and of mode 0 valence by valence.
 struct Equations {
-  MeshScheme<RationalFunction> scheme;
   ModeEquation turning;
-
-  explicit Equations(const MeshSchemeDescription& description)
-      : scheme(symbolic_mesh_scheme(description, turn_variable)), turning(turning_modes(scheme)) {}
+  std::function<ModeEquation(int valence)> invariant;
 
   [[nodiscard]] SpectralCondition condition(int valence) const {
-    return {turning, invariant_mode(scheme, valence), valence};
+    return {turning, invariant(valence), valence};
   }
 };
+
+/// The speed as a function of the free parameter, if there is one.
+RationalFunction speed_of(const MeshSchemeDescription& description) {
+  const std::vector<RationalFunction> free(description.free_parameters.size(), RationalFunction::variable(0));
+  return parameter_values<RationalFunction>(description, free).front();
+}
+
+Equations equations_of(const MeshSchemeDescription& description) {
+  if (description.family->rings_only) {
+    const RationalFunction sigma = speed_of(description);
+    constexpr int far = 11;  // no sector is read from both sides
+    return {turning_modes(speed_matrix(sigma, far)),
+            [sigma](int valence) { return invariant_mode(speed_matrix(sigma, valence)); }};
+  }
+  const MeshScheme<RationalFunction> scheme = symbolic_mesh_scheme(description, turn_variable);
+  return {turning_modes(scheme), [scheme](int valence) { return invariant_mode(scheme, valence); }};
+}
+
+/// Ties are looked for up to this valence: exact eigenvalues of larger matrices take seconds.
+constexpr int most_exact_valence = 12;
+
+/// What is asked of a scheme without free parameters beside its equations.
+struct Questions {
+  /// Asked where enclosures do not decide.
+  std::function<Decision(int valence)> exact_condition;
+  std::function<CharacteristicMap(int valence)> map;
+  /// Of adjustable speed: the weights of the limit point.
+  std::function<VertexWeights<Rational>(int valence)> limit;
+};
+
+Questions questions_of(const MeshSchemeDescription& description) {
+  if (description.family->rings_only) {
+    const Rational sigma = parameter_values<Rational>(description).front();
+    return {[](int /*valence*/) { return lambda_is_subdominant() ? Decision::yes : Decision::undecided; },
+            [sigma](int valence) { return speed_characteristic_map(Interval(sigma), valence); },
+            [sigma](int valence) { return limit_weights(vertex_weights(sigma, valence), sigma); }};
+  }
+  const MeshSchemeForms forms = mesh_scheme_forms(description);
+  const auto ties = [exact = forms.exact](int valence) {
+    return exact && valence <= most_exact_valence ? exact_condition(*exact, valence) : Decision::undecided;
+  };
+  return {ties, [forms](int valence) { return characteristic_map(forms, valence); }, {}};
+}
 
 Json decision_json(Decision decision) {
   if (decision == Decision::undecided) return nullptr;
@@ -126,7 +171,7 @@ std::optional<std::vector<ComplexRoot>> exact_mode(const ModeEquation& equation,
 
 /// All eigenvalues by mode: enclosures, or approximate ones where Arb cannot tell roots apart.
 std::vector<ModeRoot> spectrum(const Equations& equations, int valence) {
-  const ModeEquation invariant_equation = invariant_mode(equations.scheme, valence);
+  const ModeEquation invariant_equation = equations.invariant(valence);
   const ModeTable turning(equations.turning);
   const ModeTable invariant(invariant_equation);
   const Rational none(0);  // there is no parameter
@@ -192,25 +237,23 @@ struct Answer {
   Interval next;
   Rigour rigour = Rigour::certified;  // of the two
   CharacteristicMap map;
+  std::optional<VertexWeights<Rational>> limit;
 };
 
-/// Ties are looked for up to this valence: exact eigenvalues of larger matrices take seconds.
-constexpr int most_exact_valence = 12;
-
-Answer answer_at(const Equations& equations, const MeshSchemeForms& forms, int valence) {
+Answer answer_at(const Equations& equations, const Questions& questions, int valence) {
   Answer answer;
   answer.valence = valence;
   answer.roots = spectrum(equations, valence);
   answer.condition = equations.condition(valence).decide(Rational(0));
-  if (answer.condition == Decision::undecided && forms.exact && valence <= most_exact_valence)
-    answer.condition = exact_condition(*forms.exact, valence);
+  if (answer.condition == Decision::undecided) answer.condition = questions.exact_condition(valence);
   const std::vector<Interval> moduli = ordered_moduli(answer.roots);
   answer.subdominant = moduli[0];
   answer.next = moduli[2];  // after the pair
   for (const ModeRoot& root : answer.roots) {
     if (root.rigour == Rigour::approximate) answer.rigour = Rigour::approximate;
   }
-  answer.map = characteristic_map(forms, valence);
+  answer.map = questions.map(valence);
+  if (questions.limit) answer.limit = questions.limit(valence);
   return answer;
 }
 
@@ -247,14 +290,21 @@ Json answer_json(const Answer& answer, const MeshSchemeDescription& description)
          {"multiplicity", root.multiplicity},
          {"rigour", rigour_word(root.rigour)}});
   }
-  return {{"valence", answer.valence},
-          {"parameters", parameters_json(description)},
-          {"eigenvalues", std::move(modes)},
-          {"subdominant", interval_json(answer.subdominant, answer.rigour)},
-          {"next", interval_json(answer.next, answer.rigour)},
-          {"rigour", rigour_word(answer.rigour)},
-          {"condition", decision_json(answer.condition)},
-          {"characteristic_map", map_json(answer.map)}};
+  Json json = {{"valence", answer.valence},
+               {"parameters", parameters_json(description)},
+               {"eigenvalues", std::move(modes)},
+               {"subdominant", interval_json(answer.subdominant, answer.rigour)},
+               {"next", interval_json(answer.next, answer.rigour)},
+               {"rigour", rigour_word(answer.rigour)},
+               {"condition", decision_json(answer.condition)},
+               {"characteristic_map", map_json(answer.map)}};
+  if (answer.limit) {
+    const auto& [beta, gamma] = *answer.limit;
+    json["limit_stencil"] = {{"alpha", (Rational(1) - beta - gamma).to_string()},
+                             {"beta", beta.to_string()},
+                             {"gamma", gamma.to_string()}};
+  }
+  return json;
 }
 
 std::string number_text(const Interval& x, Rigour rigour) {
@@ -280,15 +330,15 @@ std::string map_text(const CharacteristicMap& map) {
 
 int eigen_at_values(const EigenOptions& options, const MeshSchemeDescription& description,
                     const Valences& valences) {
-  const Equations equations(description);
-  const MeshSchemeForms forms = mesh_scheme_forms(description);
+  const Equations equations = equations_of(description);
+  const Questions questions = questions_of(description);
   Json json = Json::array();
   bool open = false;
   constexpr const char* row = "{:>7}  {:<16}{:<16}{:<11}{}\n";
   if (!options.json)
     std::cout << fmt::format(row, "valence", "sub-dominant", "next", "condition", "characteristic map");
   for (int n = valences.first; n <= valences.last; ++n) {
-    const Answer answer = answer_at(equations, forms, n);
+    const Answer answer = answer_at(equations, questions, n);
     open = open || answer.condition == Decision::undecided;
     if (options.json) {
       json.push_back(answer_json(answer, description));
@@ -314,9 +364,23 @@ std::string end_text(const ConditionCell& cell, const Rational& end, int digits)
   return to_significant(end, digits, cell.holds == Decision::undecided ? outwards : -outwards);
 }
 
+/// Speeds lie between 0 and 1 on the whole range.
+void require_speeds(const MeshSchemeDescription& description, const ParameterRange& range) {
+  if (!description.family->rings_only) return;
+  const RationalFunction sigma = speed_of(description);
+  const RealInterval closed = closed_interval(range.lower, range.upper);
+  if (is_positive(sigma, closed) && is_positive(RationalFunction(1) - sigma, closed)) return;
+  throw InputError(
+      fmt::format("--over {}={}..{}: speeds lie strictly between 0 and 1, and sigma = {} leaves that "
+                  "interval; for example --over sigma=1/100..99/100",
+                  range.name, range.lower.to_string(), range.upper.to_string(),
+                  sigma.to_string(std::vector{range.name})));
+}
+
 int eigen_over(const EigenOptions& options, const MeshSchemeDescription& description,
                const Valences& valences, const ParameterRange& range) {
-  const Equations equations(description);
+  require_speeds(description, range);
+  const Equations equations = equations_of(description);
   const Rational width = (range.upper - range.lower) / Rational(finest_cells);
   Json json = Json::array();
   if (!options.json) std::cout << fmt::format("{:>7}  condition on {}\n", "valence", range.name);

@@ -85,7 +85,11 @@ std::string value_text(const ClaimRecord& record, std::size_t width) {
   if (!has_ends) return "-";
   const std::string text = digits_text(Rational::parse(*record.lower), Rational::parse(*record.upper),
                                        record.rigour == to_string(Rigour::approximate));
-  return clipped(text, width);
+  const std::size_t exponent = text.find('e');  // of one number: cut off, it would be another one
+  const bool one_number = exponent != std::string::npos && text.find('[') == std::string::npos;
+  const std::size_t tail = one_number ? text.size() - exponent : 0;
+  if (tail == 0 || text.size() <= width || tail + 2 > width) return clipped(text, width);
+  return clipped(text.substr(0, exponent), width - tail) + text.substr(exponent);
 }
 
 }  // namespace subdiv

@@ -72,6 +72,60 @@ TEST(Eigen, LoopsOwnWeightsHaveIrrationalCosines) {
   EXPECT_EQ(record["condition"], true);
 }
 
+TEST(Eigen, AdjustableSpeedAtTheRegularVertexIsTheSpline) {
+  // Knot insertion along one line has the eigenvalues 1, q, q^2, q^3, ..; the B-spline at the knot 0 is
+  // 1/(1 + q), with q/2/(1 + q) for each neighbour (Karciauskas & Peters 2009, (13), t_3).
+  const Json record = eigen("adjustable-speed:sigma=3/4", "4")[0];
+  EXPECT_EQ(record["parameters"], Json({{"sigma", "3/4"}}));
+  EXPECT_EQ(record["limit_stencil"], Json({{"alpha", "16/25"}, {"beta", "8/25"}, {"gamma", "1/25"}}));
+  EXPECT_EQ(number(record["subdominant"]["lower"]), 0.25);
+  EXPECT_EQ(number(record["next"]["upper"]), 0.0625);
+  EXPECT_EQ(record["condition"], true);
+}
+
+TEST(Eigen, AdjustableSpeedAtExtraordinaryVertices) {
+  const Json record = eigen("adjustable-speed:sigma=3/4", "5")[0];
+  const double q = 0.25;
+  const double d = 1 + std::cos(2 * std::numbers::pi / 5);
+  const double s = 0.75;  // (8)
+  const double lambda = q / 2 * (d * s * s + 2 * q + s * std::sqrt(d * (d * s * s + 4 * q)));
+  EXPECT_NEAR(number(record["subdominant"]["lower"]), lambda, 1e-16);
+  EXPECT_EQ(record["condition"], true);
+  EXPECT_EQ(record["characteristic_map"]["regular"], true);
+  EXPECT_EQ(record["characteristic_map"]["injective"], true);
+  EXPECT_EQ(record["characteristic_map"]["rigour"], "certified");
+  const Json whole = eigen("adjustable-speed:sigma=s", "3", {"--over", "s=1/100..99/100"})[0];
+  EXPECT_EQ(whole["condition"], true);
+}
+
+TEST(Eigen, SpeedsNearTheEndsKeepTheirDigits) {
+  const Json record = eigen("adjustable-speed:sigma=0.99999999999999999999", "5")[0];  // q = 1e-20
+  const double limit = 1e-20 * (1 + std::cos(2 * std::numbers::pi / 5));               // (8) for q to 0
+  EXPECT_NEAR(number(record["subdominant"]["lower"]) / limit, 1, 1e-14);
+  EXPECT_EQ(record["rigour"], "certified");
+  const ProgramRun run =
+      run_program({"eigen", "adjustable-speed:sigma=0.99999999999999999999", "--valence", "5"});
+  expect_contains(run.output, "e-20");
+}
+
+TEST(Eigen, SpeedsOutsideAreRefused) {
+  for (const std::string sigma : {"0", "1", "2", "-1/2", "sqrt(2)"}) {
+    const ProgramRun run = run_program({"eigen", "adjustable-speed:sigma=" + sigma, "--valence", "5"});
+    EXPECT_EQ(run.exit_code, 2) << sigma;
+    expect_contains(run.errors, "strictly between 0 and 1");
+  }
+  for (const std::string range : {"s=0..1/2", "s=1/2..1", "s=-1..1/2"}) {
+    const ProgramRun run =
+        run_program({"eigen", "adjustable-speed:sigma=s", "--valence", "5", "--over", range});
+    EXPECT_EQ(run.exit_code, 2) << range;
+    expect_contains(run.errors, "strictly between 0 and 1");
+  }
+  const ProgramRun refined =
+      run_program({"refine", "adjustable-speed:sigma=1/2", "mesh.obj", "-o", "out.obj"});
+  EXPECT_EQ(refined.exit_code, 2);
+  expect_contains(refined.errors, "subdivlab rings");
+}
+
 TEST(Eigen, RangesAreCutWhereTheAnswerChanges) {
   const Json record = eigen("jspline-mesh:s=s", "3", {"--over", "s=-2..6"})[0];
   EXPECT_EQ(record["condition"], nullptr);

@@ -72,6 +72,13 @@ TEST(ValueText, ShowsTheDigitsThatBothEndsShare) {
   EXPECT_EQ(value_text(record_of(approximate(0.25, 3, "")), 30), "~0.250");
 }
 
+TEST(ValueText, NeverCutsOffAnExponent) {
+  const Rational tiny = Rational::parse("1.23456789012345678e-20");
+  const ClaimRecord record = record_of(certified(tiny, tiny + Rational::parse("1e-45"), ""));
+  EXPECT_EQ(value_text(record, 30), "1.23456789012346e-20");
+  EXPECT_EQ(value_text(record, 12), "1.23456…e-20");
+}
+
 TEST(ValueText, ReplacesALongExactTextByDigits) {
   Enclosure value = exact(Rational(1, 3));
   value.exact = "(a closed form that is much too long for a table)";
