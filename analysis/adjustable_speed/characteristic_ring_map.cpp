@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "analysis/adjustable_speed/ring_conditions.h"
@@ -83,6 +84,22 @@ void add_jacobians(SignsFound& found, const BezierPatch<RingPoint<Interval>>& pa
   add_signs(found, jacobian, 0, parts);
 }
 
+/// All conditions hold for all speeds in the cell.
+bool hold_on(const Interval& cell, int valence) {
+  // Taylor's theorem: the coefficients at the middle, the remainder's on the whole interval. Plain interval
+  // arithmetic would count sigma's width again wherever sigma occurs.
+  const Interval middle = cell.center();
+  const Interval off = cell - middle;
+  const auto at_middle = expanded_conditions<order>(middle, valence);
+  const auto on_cell = expanded_conditions<order + 1>(cell, valence);
+  for (std::size_t k = 0; k < at_middle.size(); ++k) {
+    Interval value = on_cell[k].value.c[order];
+    for (std::size_t j = order; j > 0; --j) value = value * off + at_middle[k].value.c[j - 1];
+    if (at_middle[k].sign > 0 ? !certainly_positive(value) : !certainly_negative(value)) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 template <>
@@ -99,22 +116,24 @@ RingShape<Interval> ring_shape(const Interval& sigma, int valence) {
   return shape_at(sigma, d, subdiv::sqrt(discriminant(sigma, d)));
 }
 
-bool ring_conditions_hold(const Interval& sigma, int valence) {
+RingRange ring_conditions_on(const Interval& sigma, int valence, int cells) {
   require_valence(valence);
-  if (!certainly_positive(sigma) || !certainly_less(sigma, Interval(1))) return false;
-  // Taylor's theorem: the coefficients at the middle, the remainder's on the whole interval. Plain interval
-  // arithmetic would count sigma's width again wherever sigma occurs.
-  const Interval cell = sigma.with_precision(std::max(ring_precision, sigma.working_precision()));
-  const Interval middle = cell.center();
-  const Interval off = cell - middle;
-  const auto at_middle = expanded_conditions<order>(middle, valence);
-  const auto on_cell = expanded_conditions<order + 1>(cell, valence);
-  for (std::size_t k = 0; k < at_middle.size(); ++k) {
-    Interval value = on_cell[k].value.c[order];
-    for (std::size_t j = order; j > 0; --j) value = value * off + at_middle[k].value.c[j - 1];
-    if (at_middle[k].sign > 0 ? !certainly_positive(value) : !certainly_negative(value)) return false;
+  RingRange result;
+  if (!sigma.is_finite() || !certainly_positive(sigma) || !certainly_less(sigma, Interval(1))) return result;
+  const long precision = std::max(ring_precision, sigma.working_precision());
+  std::vector<std::pair<Rational, Rational>> waiting{{sigma.lower(), sigma.upper()}};
+  while (!waiting.empty()) {
+    if (result.cells >= cells) return result;
+    const auto [lower, upper] = waiting.back();
+    waiting.pop_back();
+    ++result.cells;
+    if (hold_on(Interval::hull(lower, upper, precision), valence)) continue;
+    const Rational middle = (lower + upper) / Rational(2);
+    waiting.emplace_back(lower, middle);
+    waiting.emplace_back(middle, upper);
   }
-  return true;
+  result.hold = Decision::yes;
+  return result;
 }
 
 CharacteristicMap speed_characteristic_map(const Interval& sigma, int valence) {
@@ -124,7 +143,7 @@ CharacteristicMap speed_characteristic_map(const Interval& sigma, int valence) {
   map.eigenvalue_of_mode_1 = map.eigenvalue.to_double();
   map.rigour = Rigour::certified;
   map.method = "signs of Bezier differences over intervals";
-  if (!ring_conditions_hold(cell, valence)) return map;
+  if (ring_conditions_on(cell, valence).hold != Decision::yes) return map;
   map.regular = map.injective = Decision::yes;
   map.winding = 1;
   const RingShape<Interval> middle = ring_shape(cell.center(), valence);

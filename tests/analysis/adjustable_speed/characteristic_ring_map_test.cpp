@@ -37,14 +37,26 @@ TEST(SpeedCharacteristicMap, HoldsForWholeIntervals) {
 }
 
 TEST(SpeedCharacteristicMap, StaysOpenWhereSigmaIsNotKnownWellEnough) {
-  for (const Interval& sigma : {range("0", "1/2"), range("1/2", "1"), range("1/10", "9/10"), number("0"),
-                                number("1"), number("-1"), number("2"), range("-1/2", "3/2")}) {
+  for (const Interval& sigma : {range("0", "1/2"), range("1/2", "1"), number("0"), number("1"), number("-1"),
+                                number("2"), range("-1/2", "3/2")}) {
     const CharacteristicMap map = speed_characteristic_map(sigma, 5);
     EXPECT_EQ(map.regular, Decision::undecided) << sigma.to_string();
     EXPECT_EQ(map.injective, Decision::undecided);
     EXPECT_FALSE(map.winding);
   }
   EXPECT_THROW((void)speed_characteristic_map(number("1/2"), 2), std::invalid_argument);
+}
+
+TEST(RingConditions, HoldOnThePapersRangeOfSpeeds) {
+  for (const int n : {3, 5, 20, 100}) {
+    const RingRange found = ring_conditions_on(range("1/10", "9/10"), n);
+    EXPECT_EQ(found.hold, Decision::yes) << n;
+    EXPECT_GT(found.cells, 1);
+  }
+  const RingRange ended = ring_conditions_on(range("1/10", "9/10"), 5, 10);
+  EXPECT_EQ(ended.hold, Decision::undecided);
+  EXPECT_EQ(ended.cells, 10);
+  EXPECT_EQ(ring_conditions_on(range("0", "1/2"), 5).hold, Decision::undecided);
 }
 
 TEST(SpeedCharacteristicMap, OneHalfIsCatmullClark) {

@@ -1,0 +1,295 @@
+#include "analysis/sign_on_domain.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <deque>
+#include <stdexcept>
+#include <utility>
+
+namespace subdiv {
+namespace {
+
+using Point = std::vector<Rational>;
+
+Rational value_at(const Polynomial& f, const Point& x) { return f.evaluate<Rational>(x); }
+
+/// The Bernstein coefficients of a polynomial on a cell.
+class CellForm {
+ public:
+  CellForm(const Polynomial& f, const ParameterBox& box) {
+    for (std::size_t k = 0; k < 2; ++k)
+      degree_.at(k) = static_cast<std::size_t>(f.degree(static_cast<int>(k)));
+    // In u = (x - lower)/(upper - lower), both in [0, 1].
+    Polynomial moved = f;
+    for (int k = 0; k < 2; ++k) {
+      const auto slot = static_cast<std::size_t>(k);
+      moved =
+          moved.substitute(k, Polynomial(box.lower[slot]) +
+                                  Polynomial(box.upper[slot] - box.lower[slot]) * Polynomial::variable(k));
+    }
+    c_.assign((degree_[0] + 1) * (degree_[1] + 1), Rational(0));
+    for (const Polynomial::Term& term : moved.terms())
+      at(static_cast<std::size_t>(term.exponents[0]), static_cast<std::size_t>(term.exponents[1])) =
+          term.coefficient;
+    // u^k = sum over i >= k of binomial(i, k)/binomial(n, k) B_i(u), along one direction, then the other.
+    for (const bool first : {true, false}) {
+      for_each_line(first, [&](const auto& entry, std::size_t n) {
+        for (std::size_t k = 0; k <= n; ++k) entry(k) /= binomial(n, k);
+        for (std::size_t i = n + 1; i-- > 0;) {
+          Rational sum(0);
+          for (std::size_t k = 0; k <= i; ++k) sum += binomial(i, k) * entry(k);
+          entry(i) = sum;
+        }
+      });
+    }
+  }
+
+  [[nodiscard]] const std::vector<Rational>& coefficients() const { return c_; }
+  /// The value at a corner of the cell, and which coefficient that is.
+  [[nodiscard]] std::size_t corner_slot(bool upper0, bool upper1) const {
+    return (upper0 ? degree_[0] : 0) * (degree_[1] + 1) + (upper1 ? degree_[1] : 0);
+  }
+
+  [[nodiscard]] std::array<CellForm, 2> halves(bool first) const {
+    std::array<CellForm, 2> result{*this, *this};
+    CellForm& low = result[0];
+    CellForm& high = result[1];
+    const Rational half(1, 2);
+    const std::size_t n = degree_.at(first ? 0 : 1);
+    const std::size_t lines = degree_.at(first ? 1 : 0);
+    for (std::size_t line = 0; line <= lines; ++line) {
+      for (std::size_t level = 0; level <= n; ++level) {
+        low.entry(first, line, level) = high.entry(first, line, 0);
+        for (std::size_t i = 0; i + level < n; ++i) {
+          Rational& point = high.entry(first, line, i);
+          point = half * (point + high.entry(first, line, i + 1));
+        }
+      }
+    }
+    return result;
+  }
+
+ private:
+  static Rational binomial(std::size_t n, std::size_t k) {
+    Rational result(1);
+    for (std::size_t i = 1; i <= k; ++i)
+      result = result * Rational(static_cast<std::int64_t>(n - k + i), static_cast<std::int64_t>(i));
+    return result;
+  }
+  Rational& at(std::size_t i, std::size_t j) { return c_[i * (degree_[1] + 1) + j]; }
+  Rational& entry(bool first, std::size_t line, std::size_t i) { return first ? at(i, line) : at(line, i); }
+  template <class Action>
+  void for_each_line(bool first, Action&& action) {
+    for (std::size_t line = 0; line <= degree_.at(first ? 1 : 0); ++line)
+      action([&](std::size_t i) -> Rational& { return entry(first, line, i); }, degree_.at(first ? 0 : 1));
+  }
+
+  std::array<std::size_t, 2> degree_{};
+  std::vector<Rational> c_;
+};
+
+/// A part of the box, with the forms of the domain's polynomials and of the function.
+struct Cell {
+  ParameterBox box;
+  std::vector<CellForm> positive;
+  std::vector<CellForm> function;  // one, or none
+  std::array<int, 2> depth{};
+
+  [[nodiscard]] Point middle() const {
+    return {(box.lower[0] + box.upper[0]) / Rational(2), (box.lower[1] + box.upper[1]) / Rational(2)};
+  }
+  /// The middle and the corners.
+  [[nodiscard]] std::array<Point, 5> samples() const {
+    return {middle(), Point{box.lower[0], box.lower[1]}, Point{box.lower[0], box.upper[1]},
+            Point{box.upper[0], box.lower[1]}, Point{box.upper[0], box.upper[1]}};
+  }
+  [[nodiscard]] bool is_outside() const {
+    return std::ranges::any_of(positive, [](const CellForm& form) {
+      return std::ranges::all_of(form.coefficients(), [](const Rational& c) { return c.sign() <= 0; });
+    });
+  }
+  [[nodiscard]] std::array<Cell, 2> halves() const {
+    const bool first = depth[0] <= depth[1];
+    const std::size_t k = first ? 0 : 1;
+    std::array<Cell, 2> result{Cell{box, {}, {}, depth}, Cell{box, {}, {}, depth}};
+    result[0].box.upper[k] = result[1].box.lower[k] = middle()[k];
+    for (Cell& half : result) ++half.depth.at(k);
+    const auto add = [&](const CellForm& form, std::vector<CellForm> Cell::* member) {
+      std::array<CellForm, 2> parts = form.halves(first);
+      for (std::size_t i = 0; i < 2; ++i) (result.at(i).*member).push_back(std::move(parts.at(i)));
+    };
+    for (const CellForm& form : positive) add(form, &Cell::positive);
+    for (const CellForm& form : function) add(form, &Cell::function);
+    return result;
+  }
+};
+
+/// All coefficients have this sign, but for values 0 at corners outside the domain.
+bool has_sign(const Cell& cell, const PlaneDomain& domain, int sign) {
+  const CellForm& form = cell.function.front();
+  const std::vector<Rational>& c = form.coefficients();
+  std::vector<bool> may_vanish(c.size(), false);
+  for (const bool upper0 : {false, true}) {
+    for (const bool upper1 : {false, true}) {
+      may_vanish[form.corner_slot(upper0, upper1)] = !domain.contains(
+          (upper0 ? cell.box.upper : cell.box.lower)[0], (upper1 ? cell.box.upper : cell.box.lower)[1]);
+    }
+  }
+  for (std::size_t k = 0; k < c.size(); ++k) {
+    const int own = c[k].sign();
+    if (own != sign && !(own == 0 && may_vanish[k])) return false;
+  }
+  // All zero would be no sign; a polynomial that is not 0 has a coefficient.
+  return std::ranges::any_of(c, [](const Rational& x) { return x.sign() != 0; });
+}
+
+Cell whole(const PlaneDomain& domain) {
+  Cell cell{domain.box, {}, {}, {}};
+  for (const Polynomial& g : domain.positive) cell.positive.emplace_back(g, domain.box);
+  return cell;
+}
+
+Point point_inside(const PlaneDomain& domain, long cells, int depth) {
+  std::deque<Cell> waiting{whole(domain)};
+  for (long count = 0; !waiting.empty() && count < cells; ++count) {
+    const Cell cell = std::move(waiting.front());
+    waiting.pop_front();
+    if (cell.is_outside()) continue;
+    const Point middle = cell.middle();
+    if (domain.contains(middle[0], middle[1])) return middle;
+    if (std::min(cell.depth[0], cell.depth[1]) >= depth) continue;
+    for (Cell& half : cell.halves()) waiting.push_back(std::move(half));
+  }
+  return {};
+}
+
+DomainSign of_sign(int sign) {
+  return {sign > 0 ? DomainSign::Kind::positive : DomainSign::Kind::negative, Status::closed, 0, {}};
+}
+
+/// Proves the sign that f has at a point of the domain on all of it, or finds a point with another one.
+DomainSign prove(const Polynomial& f, const PlaneDomain& domain, const Point& inside, long cells, int depth) {
+  const int sign = value_at(f, inside).sign();
+  if (sign == 0) return {DomainSign::Kind::not_strict, Status::closed, 0, {inside}};
+  DomainSign result = of_sign(sign);
+  Cell start = whole(domain);
+  start.function.emplace_back(f, domain.box);
+  std::vector<Cell> waiting{std::move(start)};
+  while (!waiting.empty()) {
+    const Cell cell = std::move(waiting.back());
+    waiting.pop_back();
+    ++result.cells;
+    if (has_sign(cell, domain, sign) || cell.is_outside()) continue;
+    for (const Point& x : cell.samples()) {
+      const int there = value_at(f, x).sign();
+      if (there == sign || !domain.contains(x[0], x[1])) continue;
+      result.kind = DomainSign::Kind::not_strict;
+      result.witnesses = there == 0 ? std::vector<Point>{x} : std::vector<Point>{inside, x};
+      return result;
+    }
+    const bool deep = std::min(cell.depth[0], cell.depth[1]) >= depth;
+    if (deep || result.cells >= cells) {
+      result.kind = DomainSign::Kind::undecided;
+      result.status = deep ? Status::out_of_depth : Status::out_of_time;
+      return result;
+    }
+    for (Cell& half : cell.halves()) waiting.push_back(std::move(half));
+  }
+  return result;
+}
+
+/// +1 or -1 when f is a multiple of g by a number, whose sign that is; else 0.
+int common_sign(const Polynomial& f, const Polynomial& g) {
+  Polynomial quotient;
+  if (!divides(g, f, quotient) || !quotient.is_constant()) return 0;
+  return quotient.constant().sign();
+}
+
+}  // namespace
+
+std::string to_string(DomainSign::Kind kind) {
+  switch (kind) {
+    case DomainSign::Kind::positive:
+      return "positive";
+    case DomainSign::Kind::negative:
+      return "negative";
+    case DomainSign::Kind::not_strict:
+      return "not strict";
+    default:
+      return "undecided";
+  }
+}
+
+bool PlaneDomain::contains(const Rational& x0, const Rational& x1) const {
+  const Point x{x0, x1};
+  for (std::size_t k = 0; k < 2; ++k) {
+    if (!(box.lower[k] < x[k] && x[k] < box.upper[k])) return false;
+  }
+  return std::ranges::all_of(positive, [&](const Polynomial& g) { return value_at(g, x).sign() > 0; });
+}
+
+DomainSigns::DomainSigns(PlaneDomain domain, long cells, int depth)
+    : domain_(std::move(domain)), cells_(cells), depth_(depth) {
+  const ParameterBox& box = domain_.box;
+  if (box.lower.size() != 2 || box.upper.size() != 2)
+    throw std::invalid_argument("the sign on a plane domain: the box has two dimensions");
+  inside_ = point_inside(domain_, cells_, depth_);
+}
+
+DomainSign DomainSigns::factor_sign(const Polynomial& factor) {
+  if (inside_.empty()) return {DomainSign::Kind::undecided, Status::out_of_depth, 0, {}};
+  for (int k = 0; k < 2; ++k) {
+    const auto slot = static_cast<std::size_t>(k);
+    const Polynomial x = Polynomial::variable(k);
+    if (const int sign = common_sign(factor, x - Polynomial(domain_.box.lower[slot])); sign != 0)
+      return of_sign(sign);
+    if (const int sign = common_sign(factor, Polynomial(domain_.box.upper[slot]) - x); sign != 0)
+      return of_sign(sign);
+  }
+  for (const Polynomial& g : domain_.positive) {
+    if (const int sign = common_sign(factor, g); sign != 0) return of_sign(sign);
+  }
+  const std::string name = factor.to_string();
+  const auto found = known_.find(name);
+  if (found != known_.end()) return found->second;
+  DomainSign result = prove(factor, domain_, inside_, cells_, depth_);
+  known_[name] = result;
+  return result;
+}
+
+DomainSign DomainSigns::sign(const Polynomial& f) {
+  for (int k = 2; k < max_parameters; ++k) {
+    if (f.uses(k)) throw std::invalid_argument("the sign on a plane domain: of functions of x_0, x_1 alone");
+  }
+  if (f.is_zero()) throw std::invalid_argument("the sign on a plane domain: of functions that are not 0");
+  const Factorization parts = factor(f);
+  int sign = parts.constant.sign();
+  DomainSign result;
+  DomainSign open;
+  bool is_open = false;
+  for (const auto& [factor, power] : parts.factors) {
+    DomainSign own = factor_sign(factor);
+    result.cells += own.cells;
+    if (own.kind == DomainSign::Kind::not_strict) {
+      own.cells = result.cells;
+      return own;
+    }
+    if (own.kind == DomainSign::Kind::undecided) {
+      is_open = true;
+      open = own;
+    }
+    if (own.kind == DomainSign::Kind::negative && power % 2 != 0) sign = -sign;
+  }
+  const long cells = result.cells;
+  result = is_open ? open : of_sign(sign);
+  result.cells = cells;
+  return result;
+}
+
+DomainSign DomainSigns::sign(const RationalFunction& f) {
+  // f and numerator times denominator have the same signs, and the same points where they have none.
+  return sign(f.numerator() * f.denominator());
+}
+
+}  // namespace subdiv
