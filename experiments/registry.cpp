@@ -18,6 +18,7 @@
 #include "experiments/ringing.h"
 #include "experiments/smoothness.h"
 #include "experiments/smoothness_maps.h"
+#include "experiments/speed_rings.h"
 #include "experiments/speed_rules.h"
 #include "experiments/speed_spectrum.h"
 #include "experiments/surfaces.h"
@@ -68,6 +69,8 @@ std::span<const Experiment> experiments() {
                  speed_rule_heads, run_speed_rules},
       Experiment{"speed-spectrum", "Eigenvalues of adjustable speed (speed III)", speed_spectrum_heads,
                  run_speed_spectrum},
+      Experiment{"speed-rings", "Surface rings of adjustable speed (speed II, IV)", speed_ring_heads,
+                 run_speed_rings},
   };
   return all;
 }

@@ -66,6 +66,36 @@ inline std::array<double, 3> cubic_point(const std::array<double, 4>& weights,
   return result;
 }
 
+/// Of a patch at (i, j) = (u, v), both in [0, 1]: the point and its derivatives.
+struct PatchJet {
+  std::array<double, 3> point{}, u{}, v{}, uu{}, uv{}, vv{};
+};
+inline PatchJet patch_jet(const BezierPatch<std::array<double, 3>>& patch, double u, double v) {
+  // Bernstein polynomials of degree 3 and their derivatives.
+  const auto basis = [](double t) {
+    const double s = 1 - t;
+    return std::array<std::array<double, 4>, 3>{
+        {{s * s * s, 3 * s * s * t, 3 * s * t * t, t * t * t},
+         {-3 * s * s, 3 * s * (s - 2 * t), 3 * t * (2 * s - t), 3 * t * t},
+         {6 * s, 6 * (t - 2 * s), 6 * (s - 2 * t), 6 * t}}};
+  };
+  const auto along_i = basis(u);
+  const auto along_j = basis(v);
+  PatchJet jet;
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t j = 0; j < 4; ++j) {
+      const auto& b = patch[4 * i + j];
+      add_weighted(jet.point, along_i[0][i] * along_j[0][j], b);
+      add_weighted(jet.u, along_i[1][i] * along_j[0][j], b);
+      add_weighted(jet.v, along_i[0][i] * along_j[1][j], b);
+      add_weighted(jet.uu, along_i[2][i] * along_j[0][j], b);
+      add_weighted(jet.uv, along_i[1][i] * along_j[1][j], b);
+      add_weighted(jet.vv, along_i[0][i] * along_j[2][j], b);
+    }
+  }
+  return jet;
+}
+
 /// The point of a patch with the Bernstein polynomials of i and of j.
 inline std::array<double, 3> patch_point(const BezierPatch<std::array<double, 3>>& patch,
                                          const std::array<double, 4>& along_i,
