@@ -18,6 +18,7 @@
 #include "experiments/ringing.h"
 #include "experiments/smoothness.h"
 #include "experiments/smoothness_maps.h"
+#include "experiments/speed_figures.h"
 #include "experiments/speed_rings.h"
 #include "experiments/speed_rules.h"
 #include "experiments/speed_spectrum.h"
@@ -67,6 +68,8 @@ std::span<const Experiment> experiments() {
                  mesh_figure_heads, run_mesh_figures},
       Experiment{"speed-rules", "Rules and conversions of adjustable speed (speed II, III, IV, V)",
                  speed_rule_heads, run_speed_rules},
+      Experiment{"speed-figures", "Figures that explain adjustable speed (speed, figures 2 .. 5, 10)",
+                 speed_figure_heads, run_speed_figures},
       Experiment{"speed-spectrum", "Eigenvalues of adjustable speed (speed III)", speed_spectrum_heads,
                  run_speed_spectrum},
       Experiment{"speed-rings", "Surface rings of adjustable speed (speed II, IV)", speed_ring_heads,
