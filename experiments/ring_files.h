@@ -5,17 +5,18 @@
 #include <vector>
 
 #include "experiments/report/output_file.h"
-#include "schemes/evaluate/indexed_mesh.h"
 #include "schemes/evaluate/ring_surface.h"
+#include "schemes/mesh/mesh_topology.h"
 
 namespace subdiv {
 
 /// Each patch as pieces x pieces quads, patch by patch in their order: the faces of group k of the surface
-/// are begin[k] .. begin[k + 1] - 1. Points on edges of patches that are equal bit by bit are one vertex, so
-/// that patches with a common edge share it; where one patch meets two, along the outermost line of a ring,
-/// they share the ends alone and differ between them by what a chord differs from the curve.
+/// are begin[k] .. begin[k + 1] - 1. Points on edges of patches that are equal are one vertex. Along the
+/// outermost line of a ring, where one patch outside meets two, the faces outside have more corners: those of
+/// the quads inside; so the mesh has no cracks.
 struct GroupedMesh {
-  IndexedMesh mesh;
+  std::vector<Point3> points;
+  PolygonFaces faces;
   std::vector<std::size_t> begin;
 };
 /// pieces >= 1. Throws InputError for more faces than an int counts.

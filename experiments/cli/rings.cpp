@@ -172,14 +172,14 @@ void write_surface_file(OutputFile& file, Output output, const RingSurface& surf
   const GroupedMesh mesh = tessellated(surface, options.tessellation);
   switch (output) {
     case Output::picture:
-      write_picture(file, mesh_quads(mesh.mesh), closed && options.fill && !options.rings_only);
+      write_picture(file, mesh_quads(mesh.faces, mesh.points), closed && options.fill && !options.rings_only);
       break;
     case Output::grouped_obj:
       write_grouped_obj(file, mesh, surface);
       break;
     case Output::off:
     case Output::ply:
-      write_mesh(file, output == Output::off ? MeshFormat::off : MeshFormat::ply, mesh.mesh);
+      write_mesh(file, output == Output::off ? MeshFormat::off : MeshFormat::ply, mesh.faces, mesh.points);
       break;
     case Output::none:
       break;

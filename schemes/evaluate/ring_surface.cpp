@@ -238,6 +238,61 @@ class RingMaker {
   std::map<int, OfValence> of_valence_;
 };
 
+constexpr std::size_t patches_of_sector = 3;  // corner, next_side, first_side
+
+/// The joint of a regular patch across h, the half-edge of a face in rings; `along` when its inner edges run
+/// as h does.
+std::optional<RingJoint> outer_joint(const MeshTopology& mesh, int h, bool along,
+                                     const std::vector<int>& patch_of_face) {
+  const int o = mesh.opposite(h);
+  if (o < 0) return std::nullopt;
+  const int patch = patch_of_face[static_cast<std::size_t>(mesh.face(o))];
+  if (patch < 0) return std::nullopt;
+  RingJoint joint;
+  joint.outer = static_cast<std::size_t>(patch);
+  constexpr std::array edges{PatchEdge::first_j, PatchEdge::last_i, PatchEdge::last_j, PatchEdge::first_i};
+  const auto side = static_cast<std::size_t>(o - mesh.first(mesh.face(o)));
+  joint.outer_edge = edges.at(side);
+  const bool ascends = side < 2;  // as o runs
+  joint.reversed = ascends == along;
+  return joint;
+}
+
+/// Between the regular faces and the first ring, and between one ring and the next.
+void add_joints(RingSurface& surface, const MeshTopology& mesh, const SpeedSchedule& schedule,
+                const std::vector<int>& patch_of_face) {
+  const auto add = [&](RingJoint joint, std::size_t corner, bool first_side, double sigma) {
+    joint.inner = {corner, corner + (first_side ? 2U : 1U)};
+    joint.inner_edge = first_side ? PatchEdge::first_i : PatchEdge::first_j;
+    joint.split = joint.reversed ? 1 - sigma : sigma;
+    if (joint.reversed) std::swap(joint.inner[0], joint.inner[1]);
+    surface.joints.push_back(joint);
+  };
+  std::size_t sector = 0;  // of all rings around all vertices
+  for (const RingHole& hole : surface.holes) {
+    for_each_outgoing(mesh, hole.vertex, [&](int spoke) {
+      const std::size_t place = patches_of_sector * sector++;
+      for (std::size_t k = 0; k < schedule.size(); ++k) {
+        const double sigma = schedule.steps()[k].rules.sigma;
+        const std::size_t corner = surface.begin[k + 1] + place;
+        for (const bool first_side : {true, false}) {
+          if (k > 0) {
+            const std::size_t outside = surface.begin[k] + place + (first_side ? 2U : 1U);
+            add({outside, first_side ? PatchEdge::last_i : PatchEdge::last_j}, corner, first_side, sigma);
+            continue;
+          }
+          // The half-edge into the far corner of the face, and the one out of it.
+          const int into = mesh.next(spoke);
+          const std::optional<RingJoint> joint =
+              first_side ? outer_joint(mesh, into, false, patch_of_face)
+                         : outer_joint(mesh, mesh.next(into), true, patch_of_face);
+          if (joint) add(*joint, corner, first_side, sigma);
+        }
+      }
+    });
+  }
+}
+
 }  // namespace
 
 std::optional<RingFault> find_ring_fault(const MeshTopology& mesh) {
@@ -271,14 +326,19 @@ RingSurface ring_surface(const MeshTopology& mesh, const std::vector<Point3>& po
     maker.add(v, groups, surface);
     for_each_outgoing(mesh, v, [&](int h) { in_rings[static_cast<std::size_t>(mesh.face(h))] = true; });
   }
+  std::vector<int> patch_of_face(in_rings.size(), -1);
   for (int f = 0; options.regular_faces && f < mesh.faces(); ++f) {
-    if (!in_rings[static_cast<std::size_t>(f)]) groups[0].push_back(uniform.patch(mesh.first(f)));
+    const auto slot = static_cast<std::size_t>(f);
+    if (in_rings[slot]) continue;
+    patch_of_face[slot] = static_cast<int>(groups[0].size());
+    groups[0].push_back(uniform.patch(mesh.first(f)));
   }
   if (!options.fill) groups.back().clear();
   for (const auto& group : groups) {
     surface.patches.insert(surface.patches.end(), group.begin(), group.end());
     surface.begin.push_back(surface.patches.size());
   }
+  add_joints(surface, mesh, schedule, patch_of_face);
   return surface;
 }
 

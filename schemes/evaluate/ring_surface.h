@@ -1,10 +1,12 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "schemes/evaluate/bezier_patch.h"
 #include "schemes/evaluate/mesh_refinement.h"
 #include "schemes/evaluate/speed_schedule.h"
 #include "schemes/evaluate/surface_ring.h"
@@ -39,12 +41,24 @@ struct RingHole {
   double size = 0;
 };
 
+/// Where one patch outside meets two inside: along its edge, in ascending order of its other index, the edges
+/// of `inner` follow each other, from 0 to `split` and from there to 1; descending where `reversed`.
+struct RingJoint {
+  std::size_t outer = 0;
+  PatchEdge outer_edge = PatchEdge::first_i;
+  std::array<std::size_t, 2> inner{};
+  PatchEdge inner_edge = PatchEdge::first_i;
+  bool reversed = false;
+  double split = 0;
+};
+
 /// Patches in groups: 0 the regular faces, k = 1 .. m ring k of every extraordinary vertex, m + 1 the caps.
 /// Group k is patches[begin[k]] .. patches[begin[k + 1] - 1].
 struct RingSurface {
   std::vector<BezierPatch<Point3>> patches;
   std::vector<std::size_t> begin{0};
   std::vector<RingHole> holes;
+  std::vector<RingJoint> joints;
   double rounding = 0;  // no coordinate of a ring is farther from that of the exact rules
 
   [[nodiscard]] std::size_t groups() const { return begin.size() - 1; }
@@ -57,8 +71,9 @@ struct RingSurfaceOptions {
 
 /// Throws InputError for a fault, and for steps that leave fewer than three decimal digits of a ring or a
 /// hole in double. Linear in the number of patches. Corners of patches that meet are equal bit by bit, and so
-/// are their whole edges where two patches share one; along the outermost line of a ring one patch outside
-/// meets two.
+/// are their whole edges where two patches share one. Along the outermost line of a ring one patch outside
+/// meets two, which the joints say; two extraordinary vertices a knight's move apart split an edge between
+/// them in two places, unless the speed is 1/2.
 [[nodiscard]] RingSurface ring_surface(const MeshTopology& mesh, const std::vector<Point3>& points,
                                        const SpeedSchedule& schedule, const RingSurfaceOptions& options = {});
 

@@ -149,7 +149,24 @@ TEST_F(Rings, ComeRingByRing) {
   EXPECT_EQ(groups, (Strings{"regular", "ring_1", "ring_2", "cap"}));
   EXPECT_EQ(faces, (std::map<std::string, int>{
                        {"regular", 4 * 15}, {"ring_1", 4 * 15}, {"ring_2", 4 * 15}, {"cap", 4 * 5}}));
-  EXPECT_EQ(mesh("fan-rings.obj").faces.faces(), 200U);
+  // A disc: one component without cracks, whose only border is the mesh's own.
+  const MeshTopology surface(mesh("fan-rings.obj").faces);
+  EXPECT_EQ(surface.faces(), 200);
+  EXPECT_EQ(surface.vertices() - surface.edges() + surface.faces(), 1);
+}
+
+TEST_F(Rings, LeaveNoCracks) {
+  for (const std::string n : {"1", "2", "5"}) {
+    done({handles, "--catmull-clark-step", "--sigma", "1/3,9/10,1/2", "--fill", "--tessellation", n, "-o",
+          "closed.ply"});
+    const MeshTopology surface(mesh("closed.ply").faces);
+    EXPECT_TRUE(surface.is_closed());
+    EXPECT_EQ(surface.vertices() - surface.edges() + surface.faces(), -2);
+  }
+  // Without caps a border for each of the 44 extraordinary vertices.
+  done({handles, "--catmull-clark-step", "--sigma", "3/4", "-o", "open.off"});
+  const MeshTopology open(mesh("open.off").faces);
+  EXPECT_EQ(open.vertices() - open.edges() + open.faces(), -2 - 44);
 }
 
 TEST_F(Rings, ControlPointsInBothFormatsAreTheSamePatches) {
