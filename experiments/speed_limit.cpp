@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "analysis/adjustable_speed/speed_spectrum.h"
 #include "analysis/mesh/fan_matrix.h"
 #include "experiments/speed_parts.h"
 #include "experiments/speed_printed.h"
@@ -266,6 +267,11 @@ VertexWeights<Function> weights_of_roots(const Function& r1, const Function& r2)
 }
 
 void add_range(Results& results, std::span<const ClaimHead> heads) {
+  results.claims.push_back(settle_statement(head(heads, "speed.eq1.c1"), lambda_is_subdominant(),
+                                            "below λ, for all n >= 3 and σ in (0, 1)",
+                                            "The other condition, a regular and injective characteristic "
+                                            "ring, does not depend on β and γ. The range "
+                                            "that the paper does not print is that of speed.eq1.range."));
   const Function x = Function::variable(eigenvalue_variable);
   const Function r1 = Function::variable(3);  // no valence here
   const Function r2 = Function::variable(4);
@@ -364,6 +370,10 @@ std::vector<ClaimHead> speed_limit_heads() {
       finding("speed.catmull-clark.plain", "speed abstract",
               "The rules at sigma = 1/2 that are those of Catmull-Clark without a change of knots. " +
                   any_valence),
+      printed("speed.eq1.c1", "II", "The weights β and γ are chosen within a range that yields C1 surfaces",
+              "What C1 asks of beta and gamma, which enter mode 0 alone: with (1) its eigenvalues but 1 are "
+              "below "
+              "lambda of (8) in modulus, for every valence n >= 3 and every sigma in (0, 1)."),
       finding(
           "speed.eq1.range", "speed II",
           "The (beta, gamma), real, for which mode 0 has no eigenvalue but 1, q^3 .. q^6 and two in |x| < "
