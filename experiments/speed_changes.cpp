@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <span>
@@ -7,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "experiments/speed_parts.h"
+#include "schemes/algebra/univariate.h"
 #include "schemes/evaluate/surface_ring.h"
 
 namespace subdiv {
@@ -68,6 +70,90 @@ std::string rows_text(const std::array<LineWeights<Function>, 3>& rows) {
   return result;
 }
 
+/// The largest speed up to which no weight of (11) is negative, if there is such a one: every weight keeps
+/// its sign between the roots of all.
+std::optional<Algebraic> convex_up_to() {
+  std::vector<UnivariatePolynomial> weights;  // over positive denominators, powers of q
+  std::vector<Algebraic> roots;
+  for (const auto& stencil : changed_places(uniform_knots<Function>(), unit_speed_knots(s))) {
+    std::vector<Function> all{stencil.centre};
+    for (const auto& term : stencil.terms) all.push_back(term.weight);
+    for (const Function& w : all) {
+      if (w.is_zero()) continue;
+      weights.emplace_back(w.numerator() * w.denominator(), 0);
+      for (const RealRoot& root : real_roots(weights.back())) {
+        if (Algebraic(0) < root.value && root.value < Algebraic(1)) roots.push_back(root.value);
+      }
+    }
+  }
+  std::sort(roots.begin(), roots.end());
+  roots.erase(std::unique(roots.begin(), roots.end()), roots.end());
+  std::optional<Algebraic> end;
+  bool ended = false;
+  for (std::size_t k = 0; k <= roots.size(); ++k) {
+    const Interval low = k == 0 ? Interval(0) : roots[k - 1].to_interval();
+    const Interval high = k == roots.size() ? Interval(1) : roots[k].to_interval();
+    const Rational inside = (low.midpoint() + high.midpoint()) / Rational(2);
+    const bool convex =
+        std::ranges::none_of(weights, [&](const auto& w) { return w.evaluate(inside).sign() < 0; });
+    if (convex && ended) return std::nullopt;  // not up to one speed
+    if (!convex) ended = true;
+    if (convex && k < roots.size()) end = roots[k];
+  }
+  return end;
+}
+
+using Values = std::array<Function, 25>;
+
+/// A regular vertex whose 25 control points are independent.
+SectorNet<Values> regular_net() {
+  std::vector<Values> points(25);
+  for (std::size_t k = 0; k < points.size(); ++k) points[k][k] = Function(1);
+  return {4, std::move(points)};
+}
+
+/// The point P_(i, j), from -1 to 2, of a regular net.
+const Values& regular_point(const SectorNet<Values>& net, int i, int j) {
+  const SectorPlace at = i < 0 && j < 0 ? SectorPlace{2, sector_place(-j, -i).place} : sector_place(i, j);
+  return at.place < 0 ? net.centre() : net.at(at.sector, at.place);
+}
+
+/// At a regular vertex: the patches of the ring are the spline's own, by its polar form over [qa, a] and [0,
+/// qa], though only the tensor borders (13) of the net and of the refined one go in.
+bool ring_is_the_spline() {
+  using Line = KnotLine<Function>;
+  const Line line(unit_speed_knots(s), {q});
+  using Rows = std::array<LineWeights<Function>, 4>;
+  const Rows outer{
+      line.polar(Line::first, Line::first, Line::first), line.polar(Line::first, Line::first, Line::other),
+      line.polar(Line::first, Line::other, Line::other), line.polar(Line::other, Line::other, Line::other)};
+  const Rows inner{outer[3], line.polar(Line::zero, Line::other, Line::other),
+                   line.polar(Line::zero, Line::zero, Line::other),
+                   line.polar(Line::zero, Line::zero, Line::zero)};
+  const SectorNet<Values> net = regular_net();
+  const auto is_product = [&](const BezierPatch<Values>& patch, const Rows& along, const Rows& across) {
+    bool same = true;
+    for (std::size_t k = 0; k < patch.size(); ++k) {
+      Values sum{};
+      for (int i = -1; i <= 2; ++i) {
+        for (int j = -1; j <= 2; ++j)
+          add_weighted(sum,
+                       Function(along.at(k / 4).at(static_cast<std::size_t>(i + 1)) *
+                                across.at(k % 4).at(static_cast<std::size_t>(j + 1))),
+                       regular_point(net, i, j));
+      }
+      same = same && patch[k] == sum;
+    }
+    return same;
+  };
+  const RingRules<Function> rules = ring_rules(s);
+  const RingSector<Values> ring =
+      ring_sector(border_points(net, rules, 0),
+                  border_points(refined_net(net, rules, vertex_weights(s, 4)), rules, 0), s);
+  return is_product(ring.corner, outer, outer) && is_product(ring.next_side, inner, outer) &&
+         is_product(ring.first_side, outer, inner);
+}
+
 }  // namespace
 
 std::vector<ClaimHead> speed_change_heads() {
@@ -98,6 +184,16 @@ std::vector<ClaimHead> speed_change_heads() {
           "net are tensor products."),
       finding("speed.change.none", "speed IV",
               "Without such a change: does the tensor border of a net depend on the speed?"),
+      finding("speed.eq11.convex", "speed V-A, equation (11)",
+              "The largest sigma up to which no weight of (11) is negative: up to there the converted net "
+              "lies in "
+              "the convex hull of the Catmull-Clark net."),
+      printed(
+          "speed.appendix", "V",
+          "Only the formulas of Appendix V-C are needed to output nested surface rings in BB form",
+          "The three patches of a sector from (13), for the net and for the refined one, and de Casteljau's "
+          "algorithm, at a regular vertex with 25 independent control points: against the spline's Bezier "
+          "coefficients by its polar form, over Q(sigma). For other valences: figure.speed.3."),
       printed("speed.limit-speed.border", "IV",
               "in the limit σ → 1, we obtain .. a finite bi-3 cap consisting of the bi-3 tensor-border",
               capped + "All coefficients of the corner patch but that at the vertex."),
@@ -128,6 +224,13 @@ void add_speed_changes(Results& results, std::span<const ClaimHead> heads) {
             rows_text(changed_rows(unit_speed_knots(s), unit_speed_knots(tau))));
   statement("speed.change.none", !(before[0] == border_of(Net(), tau)[0]), "yes",
             "Its outermost corner t00 already does: rings of different speeds would not even be continuous.");
+
+  if (const std::optional<Algebraic> end = convex_up_to())
+    results.claims.push_back(settle(head(heads, "speed.eq11.convex"), exact(*end, "exact real roots"),
+                                    "Beyond, and at every higher speed, points of the converted net are "
+                                    "extrapolated, the farther the faster: the weight of p11 in p7 is "
+                                    "1/(36 σ̄^6)."));
+  statement("speed.appendix", ring_is_the_spline(), "the spline's own coefficients");
 
   const Net step = composed(step_of_speed(s, printed_vertex_weights(s)), converted);
   const RingSector<Form> ring = ring_sector(own, border_of(step, s), s);

@@ -1,5 +1,7 @@
 #include "experiments/speed_rules.h"
 
+#include <algorithm>
+#include <cmath>
 #include <random>
 #include <set>
 
@@ -117,6 +119,19 @@ TEST(SpeedRules, LimitIsThatOfManySteps) {
       }
       EXPECT_NEAR(current.centre()[0], limit, 1e-9) << n << ' ' << sigma;
     }
+  }
+}
+
+TEST(SpeedRules, ConversionIsConvexUpToItsEnd) {
+  const double end = test::value_of(results().claims, "speed.eq11.convex");
+  EXPECT_NEAR(end, 1 - std::sqrt(0.5), 1e-12);
+  for (const double sigma : {0.05, 0.2, end - 1e-3, end + 1e-3, 0.5 + 1e-3, 0.7, 0.95}) {
+    double least = 1;
+    for (const auto& rule : changed_places(uniform_knots<double>(), unit_speed_knots(sigma))) {
+      least = std::min(least, rule.centre);
+      for (const auto& term : rule.terms) least = std::min(least, term.weight);
+    }
+    EXPECT_EQ(least >= 0, sigma < end) << sigma;
   }
 }
 
