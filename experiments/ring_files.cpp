@@ -47,6 +47,11 @@ class Tessellation {
       : surface_(surface), last_(static_cast<std::size_t>(pieces)) {
     for (int k = 0; k <= pieces; ++k) weights_.push_back(bernstein(k, pieces));
     for (const RingJoint& joint : surface.joints) joints_.emplace(key(joint.outer, joint.outer_edge), &joint);
+    const std::size_t faces = surface.patches.size() * last_ * last_;
+    mesh_.faces.begin.reserve(faces + 1);
+    mesh_.faces.corners.reserve(4 * faces);
+    mesh_.points.reserve(faces);
+    places_.reserve(2 * surface.patches.size() * last_);
   }
 
   void add(std::size_t patch) {

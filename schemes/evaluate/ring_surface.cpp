@@ -19,6 +19,7 @@ namespace {
 
 constexpr int regular_valence = 4;
 constexpr int least_valence = 3;
+constexpr std::size_t patches_of_sector = 3;  // corner, next_side, first_side
 
 bool is_extraordinary(const MeshTopology& mesh, int v) {
   return mesh.outgoing(v) >= 0 && !mesh.is_border(v) && mesh.valence(v) != regular_valence;
@@ -164,8 +165,8 @@ class RingMaker {
             const UniformPatches& uniform)
       : mesh_(mesh), points_(points), schedule_(schedule), uniform_(uniform) {}
 
-  /// Adds ring k to group[k], the cap to group[m + 1].
-  void add(int vertex, std::vector<std::vector<BezierPatch<Point3>>>& groups, RingSurface& surface) {
+  /// Writes the patches of this vertex into the groups, sector after sector from `sector` on.
+  void add(int vertex, std::size_t sector, RingSurface& surface) {
     const int spoke = mesh_.outgoing(vertex);
     const std::optional<std::vector<int>> around = fan_vertices(mesh_, spoke, 2);
     if (!around) throw InputError(fmt::format("vertex {}: its two rings are not complete", vertex + 1));
@@ -195,12 +196,17 @@ class RingMaker {
     surface.holes.push_back(hole);
     surface.rounding = std::max(surface.rounding, rounding);
     for (std::size_t k = 0; k < rings.rings.size(); ++k) {
-      for (const RingSector<Point3>& sector : rings.rings[k])
-        groups[k + 1].insert(groups[k + 1].end(), {sector.corner, sector.next_side, sector.first_side});
+      std::size_t place = surface.begin[k + 1] + patches_of_sector * sector;
+      for (const RingSector<Point3>& own : rings.rings[k]) {
+        for (const auto* patch : {&own.corner, &own.next_side, &own.first_side})
+          surface.patches[place++] = *patch;
+      }
     }
+    std::size_t place = surface.begin[schedule_.size() + 1] + sector;
+    if (place >= surface.patches.size()) return;  // holes stay open
     for (BezierPatch<Point3>& patch : rings.hole) {
       patch[15] = limit;
-      groups.back().push_back(patch);
+      surface.patches[place++] = patch;
     }
   }
 
@@ -237,8 +243,6 @@ class RingMaker {
   const UniformPatches& uniform_;
   std::map<int, OfValence> of_valence_;
 };
-
-constexpr std::size_t patches_of_sector = 3;  // corner, next_side, first_side
 
 /// The joint of a regular patch across h, the half-edge of a face in rings; `along` when its inner edges run
 /// as h does.
@@ -316,27 +320,38 @@ RingSurface ring_surface(const MeshTopology& mesh, const std::vector<Point3>& po
                          const SpeedSchedule& schedule, const RingSurfaceOptions& options) {
   if (const std::optional<RingFault> fault = find_ring_fault(mesh))
     throw InputError(fault->what + ": " + fault->remedy);
-  const UniformPatches uniform(mesh, points);
-  std::vector<std::vector<BezierPatch<Point3>>> groups(schedule.size() + 2);
-  RingSurface surface;
+  // Which faces are in rings, and how many sectors there are.
   std::vector<bool> in_rings(static_cast<std::size_t>(mesh.faces()), false);
-  RingMaker maker(mesh, points, schedule, uniform);
+  std::vector<int> extraordinary;
+  std::size_t sectors = 0;
   for (int v = 0; v < mesh.vertices(); ++v) {
     if (!is_extraordinary(mesh, v)) continue;
-    maker.add(v, groups, surface);
-    for_each_outgoing(mesh, v, [&](int h) { in_rings[static_cast<std::size_t>(mesh.face(h))] = true; });
+    extraordinary.push_back(v);
+    for_each_outgoing(mesh, v, [&](int h) {
+      in_rings[static_cast<std::size_t>(mesh.face(h))] = true;
+      ++sectors;
+    });
   }
+  RingSurface surface;
+  surface.begin.push_back(options.regular_faces ? in_rings.size() - sectors : 0);
+  for (std::size_t k = 0; k < schedule.size(); ++k)
+    surface.begin.push_back(surface.begin.back() + patches_of_sector * sectors);
+  surface.begin.push_back(surface.begin.back() + (options.fill ? sectors : 0));
+  surface.patches.resize(surface.begin.back());
+
+  const UniformPatches uniform(mesh, points);
   std::vector<int> patch_of_face(in_rings.size(), -1);
+  int patch = 0;
   for (int f = 0; options.regular_faces && f < mesh.faces(); ++f) {
-    const auto slot = static_cast<std::size_t>(f);
-    if (in_rings[slot]) continue;
-    patch_of_face[slot] = static_cast<int>(groups[0].size());
-    groups[0].push_back(uniform.patch(mesh.first(f)));
+    if (in_rings[static_cast<std::size_t>(f)]) continue;
+    surface.patches[static_cast<std::size_t>(patch)] = uniform.patch(mesh.first(f));
+    patch_of_face[static_cast<std::size_t>(f)] = patch++;
   }
-  if (!options.fill) groups.back().clear();
-  for (const auto& group : groups) {
-    surface.patches.insert(surface.patches.end(), group.begin(), group.end());
-    surface.begin.push_back(surface.patches.size());
+  RingMaker maker(mesh, points, schedule, uniform);
+  std::size_t sector = 0;
+  for (const int v : extraordinary) {
+    maker.add(v, sector, surface);
+    sector += static_cast<std::size_t>(mesh.valence(v));
   }
   add_joints(surface, mesh, schedule, patch_of_face);
   return surface;
