@@ -135,12 +135,10 @@ bool ring_is_the_spline() {
     bool same = true;
     for (std::size_t k = 0; k < patch.size(); ++k) {
       Values sum{};
-      for (int i = -1; i <= 2; ++i) {
-        for (int j = -1; j <= 2; ++j)
-          add_weighted(sum,
-                       Function(along.at(k / 4).at(static_cast<std::size_t>(i + 1)) *
-                                across.at(k % 4).at(static_cast<std::size_t>(j + 1))),
-                       regular_point(net, i, j));
+      for (std::size_t i = 0; i < 4; ++i) {
+        for (std::size_t j = 0; j < 4; ++j)
+          add_weighted(sum, Function(along.at(k / 4)[i] * across.at(k % 4)[j]),
+                       regular_point(net, static_cast<int>(i) - 1, static_cast<int>(j) - 1));
       }
       same = same && patch[k] == sum;
     }
