@@ -18,6 +18,7 @@
 #include "experiments/ringing.h"
 #include "experiments/smoothness.h"
 #include "experiments/smoothness_maps.h"
+#include "experiments/speed_characteristic_ring.h"
 #include "experiments/speed_figures.h"
 #include "experiments/speed_rings.h"
 #include "experiments/speed_rules.h"
@@ -72,6 +73,8 @@ std::span<const Experiment> experiments() {
                  speed_figure_heads, run_speed_figures},
       Experiment{"speed-spectrum", "Eigenvalues of adjustable speed (speed III)", speed_spectrum_heads,
                  run_speed_spectrum},
+      Experiment{"speed-characteristic-ring", "The characteristic ring of adjustable speed (speed III, V)",
+                 speed_characteristic_ring_heads, run_speed_characteristic_ring},
       Experiment{"speed-rings", "Surface rings of adjustable speed (speed II, IV)", speed_ring_heads,
                  run_speed_rings},
   };

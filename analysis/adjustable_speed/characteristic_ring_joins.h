@@ -36,6 +36,7 @@ std::array<RingPoint<R>, 3> end_derivatives(const RingPoint<R>& b3, const RingPo
   const RingPoint<R> before = combined(inverse, b2, R(0) - inverse, b1);
   return {b3, first, combined(inverse, first, R(0) - inverse, before)};
 }
+}  // namespace detail
 
 /// A point reflected in the first spoke.
 template <class R>
@@ -43,7 +44,6 @@ RingPoint<R> reflected(const RingPoint<R>& p, const R& one_plus_cosine) {
   const R cosine = one_plus_cosine - R(1);
   return {cosine * p[0] - (R(2) - one_plus_cosine) * p[1], R(0) - one_plus_cosine * p[0] - cosine * p[1]};
 }
-}  // namespace detail
 
 template <class R>
 std::vector<RingJoin<R>> ring_joins(const CharacteristicRing<R>& ring, const RingShape<R>& shape) {
@@ -67,9 +67,7 @@ std::vector<RingJoin<R>> ring_joins(const CharacteristicRing<R>& ring, const Rin
     add("corner and side" + line,
         detail::end_derivatives(corner[4 * k + 3], corner[4 * k + 2], corner[4 * k + 1], sigma),
         detail::end_derivatives(side[4 * k], side[4 * k + 1], side[4 * k + 2], R(0) - q));
-    const auto mirrored = [&](std::size_t j) {
-      return detail::reflected(side[4 * k + j], shape.one_plus_cosine());
-    };
+    const auto mirrored = [&](std::size_t j) { return reflected(side[4 * k + j], shape.one_plus_cosine()); };
     add("side across the spoke" + line,
         detail::end_derivatives(side[4 * k + 3], side[4 * k + 2], side[4 * k + 1], q),
         detail::end_derivatives(mirrored(3), mirrored(2), mirrored(1), R(0) - q));
