@@ -54,6 +54,7 @@ struct CommandLine {
   RefineOptions refine_options;
   std::pair<std::string, std::string> refine_words;  // in the order in which they stand
   RingsOptions rings_options;
+  BezierOptions bezier_options;
   MeasureOptions measure_options;
   ListOptions list_options;
 
@@ -71,6 +72,7 @@ struct CommandLine {
     add_eigen();
     add_refine();
     add_rings();
+    add_bezier();
     add_measure();
     add_list();
   }
@@ -305,6 +307,39 @@ struct CommandLine {
                     "surface.ply --control-points patches.bv\n\n") +
         exit_codes);
     verb.callback([this] { action = [this] { return rings(rings_options); }; });
+  }
+
+  void add_bezier() {
+    auto& options = bezier_options;
+    CLI::App& verb =
+        *app.add_subcommand("bezier", "Draw Bezier curves as a polyline, with a proven distance");
+    verb.add_option("INPUT", options.input,
+                    "Control points of consecutive curves, .csv (x,y[,z] a line) or .obj: 1 + N k of them, "
+                    "the last of a curve the first of the next")
+        ->required();
+    constexpr int most_degree = 1000;
+    verb.add_option("--degree", options.degree, "The degree of every curve")
+        ->type_name("N")
+        ->check(CLI::Range(1, most_degree))
+        ->capture_default_str();
+    verb.add_option("--tolerance", options.tolerance,
+                    "Halve each part until its chord is proved to be this near to the curve")
+        ->type_name("T")
+        ->check(positive_number());
+    constexpr int most_depth = 62;
+    verb.add_option("--depth,-k", options.depth,
+                    "Halve K times and draw the control polygons, whatever the distance")
+        ->type_name("K")
+        ->check(CLI::Range(0, most_depth));
+    verb.add_option("--out,-o", options.out, "The polyline: .csv, .obj, .svg, or - for standard output")
+        ->type_name("OUTPUT")
+        ->required();
+    verb.add_flag("--json", options.json,
+                  "Machine-readable report of segments and the distance; numbers are strings");
+    verb.footer(std::string("Examples:  subdivlab bezier letter.csv --tolerance 0.01 -o letter.svg\n"
+                            "           subdivlab bezier arch.obj --degree 2 --depth 4 -o arch.obj\n\n") +
+                exit_codes);
+    verb.callback([this] { action = [this] { return bezier(bezier_options); }; });
   }
 
   void add_measure() {

@@ -99,6 +99,17 @@ struct RingsOptions {
 /// extraordinary vertices, and prints what they leave open.
 [[nodiscard]] int rings(const RingsOptions& options);
 
+struct BezierOptions {
+  std::string input;  // .csv or .obj
+  int degree = 3;
+  double tolerance = 0;  // 0: not given
+  int depth = -1;        // -1: not given
+  std::string out;       // .csv, .obj, .svg or - for standard output
+  bool json = false;
+};
+/// Draws consecutive Bezier curves as a polyline and prints how far it may be from them.
+[[nodiscard]] int bezier(const BezierOptions& options);
+
 struct MeasureOptions {
   std::string input;
   std::string open;    // whether the polygon is open: clamped, reflected for a scheme; "plain" without
