@@ -8,6 +8,7 @@
 
 #include "schemes/adjustable_speed/sector_net.h"
 #include "schemes/adjustable_speed/speed_rules.h"
+#include "schemes/evaluate/de_casteljau.h"
 
 namespace subdiv {
 
@@ -91,17 +92,12 @@ namespace detail {
 template <class P, class R>
 std::array<std::array<P, 4>, 2> split_cubic(const std::array<P, 4>& b, const R& sigma) {
   const R rest = R(1) - sigma;
-  std::array<P, 4> low{};
-  std::array<P, 4> high = b;
-  for (std::size_t level = 0; level < 4; ++level) {
-    low[level] = high[0];
-    for (std::size_t i = 0; i + level + 1 < 4; ++i) {
-      P sum{};
-      add_weighted(sum, rest, high[i]);
-      add_weighted(sum, sigma, high[i + 1]);
-      high[i] = sum;
-    }
-  }
+  const auto [low, high] = split_bezier(b, [&](const P& from, const P& to) {
+    P sum{};
+    add_weighted(sum, rest, from);
+    add_weighted(sum, sigma, to);
+    return sum;
+  });
   return {low, high};
 }
 }  // namespace detail
