@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "analysis/adjustable_speed/ring_theorem.h"
 #include "analysis/adjustable_speed/speed_matrix.h"
 #include "analysis/adjustable_speed/speed_spectrum.h"
 #include "analysis/mesh/spectral_condition.h"
@@ -46,6 +47,12 @@ const std::array table{
         speeds + "1 > lambda > |all other eigenvalues| but its copy, for every valence n >= 3 and every "
                  "sigma in (0, 1): identities over Q(sigma, D, c), D = 9 + (n-4)(1+q)^2, and signs of "
                  "polynomials on (0, 1), decided by Sturm's theorem."},
+    ClaimHead{"speed.c1", "speed", "abstract", "verify C1 continuity of the limit surface", ClaimKind::exact,
+              speeds +
+                  "Every valence n >= 3 and every sigma in (0, 1): lambda sub-dominant, of mode 1 and simple "
+                  "there, its characteristic ring regular and injective, rings C2 (Reif 1995): limits of "
+                  "generic nets are C1 at the extraordinary point. The ring over Q(sigma, v), lambda = q (q "
+                  "+ sigma v): signs of polynomials on the set of all (sigma, v)."},
     ClaimHead{"speed.mu", "speed", "III",
               "The subsubdominant eigenvalue µ is also a root of (7) but for k = 2", ClaimKind::exact,
               speeds + "Every valence n >= 3 and every sigma in (0, 1)."},
@@ -157,6 +164,10 @@ void add_subdominant(Results& results) {
       claim("speed.subdominant"), true, "every n >= 3, every σ in (0, 1)",
       "Jury's conditions keep the roots of (6) below lambda, since 9 + (n-4)(1+q)^2 times 1 - cos(2 pi/n) is "
       "below 18; the modes k != 0 are ordered by cos(2 pi k/n). The paper says \"by inspection\"."));
+  require(prove_ring_theorem().holds == Decision::yes, "the characteristic ring is regular and injective");
+  results.claims.push_back(settle_statement(
+      claim("speed.c1"), true, "every n >= 3, every σ in (0, 1)",
+      "The paper checks the ring at samples of sigma in [1/10, 9/10] up to valence 20 (speed.ring.*)."));
 }
 
 void add_mu(Results& results) {

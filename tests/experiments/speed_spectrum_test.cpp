@@ -15,7 +15,7 @@ TEST(SpeedSpectrumClaims, AreSettledAsTheTheorySays) {
     EXPECT_NE(claim.verdict, Verdict::undecided) << claim.head.id;
     EXPECT_NE(claim.rigour, Rigour::approximate) << claim.head.id;
   }
-  for (const char* id : {"speed.eq6", "speed.eq7", "speed.eq8", "speed.subdominant"})
+  for (const char* id : {"speed.eq6", "speed.eq7", "speed.eq8", "speed.subdominant", "speed.c1"})
     EXPECT_EQ(test::find_claim(claims, id).verdict, Verdict::reproduced) << id;
   for (const char* id : {"speed.mu", "speed.mu.square", "speed.unbounded", "speed.hyperbolic"})
     EXPECT_EQ(test::find_claim(claims, id).verdict, Verdict::refuted) << id;
