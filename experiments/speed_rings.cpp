@@ -40,6 +40,13 @@ const std::array table{
         "and the ring and the tensor border of the refined net, which the next ring is made of, also when "
         "that net goes over to the knots of another speed tau."},
     ClaimHead{
+        "speed.completion", "speed", "I",
+        "the bi-3 (bicubic) completion of a surface after one or two subdivision steps", ClaimKind::exact,
+        "For all valences, over Q(sigma, beta, gamma): the patches of the tensor border of the last net "
+        "with its limit point join the last ring with equal derivatives up to the second, and each "
+        "other continuously; their first derivatives across common edges agree in three of the four "
+        "coefficients, those away from the vertex."},
+    ClaimHead{
         "speed.poor-shape", "speed", "IV",
         "the surface shape for higher speeds is increasingly poor when σ ≥ 3/4", ClaimKind::tendency,
         family +
@@ -93,6 +100,42 @@ bool rings_join() {
   const FormNet<Function> changed = change_of_knots(unit_speed_knots(s), unit_speed_knots(tau));
   const bool kept = border_points<Function>(changed, ring_rules(tau), 0) == border;
   return inside && sectors && inwards && kept;
+}
+
+struct CapJoints {
+  bool outwards = false;
+  bool continuous = false;
+  std::array<bool, 4> smooth{};  // first derivatives across an inner edge, the last one at the vertex
+};
+
+/// The cap of a refined net.
+CapJoints cap_joints() {
+  const Function s = Function::variable(0);
+  const Function q = Function(1) - s;
+  const VertexWeights<Function> weights{Function::variable(1), Function::variable(2)};
+  const RingRules<Function> rules = ring_rules(s);
+  const FormNet<Function> refined = step_of_speed(s, weights);
+  const VertexWeights<Function> limit = limit_weights(weights, s);
+  BezierPatch<Form> cap = border_points<Function>(refined, rules, 0);
+  cap[15] =
+      substituted(central_form(Function(1) - limit.beta - limit.gamma, limit.beta, limit.gamma), refined);
+  const RingSector<Form> ring = ring_sector(border_points<Function>(FormNet<Function>(), rules, 0), cap, s);
+  CapJoints joints;
+  joints.outwards =
+      joins_c2(edge_layers(ring.first_side, PatchEdge::last_i), s, edge_layers(cap, PatchEdge::first_i), q) &&
+      joins_c2(edge_layers(ring.next_side, PatchEdge::last_j), s, edge_layers(cap, PatchEdge::first_j), q);
+  BezierPatch<Form> beyond{};
+  std::ranges::transform(cap, beyond.begin(), [](const Form& f) { return turned(f, 1); });
+  const auto own = edge_layers(cap, PatchEdge::last_i);
+  const auto next = edge_layers(beyond, PatchEdge::last_j);
+  joints.continuous = own[0] == next[0];
+  for (std::size_t k = 0; k < 4; ++k) {
+    Form sum = own[1].at(k);
+    add_weighted(sum, Function(1), next[1].at(k));
+    add_weighted(sum, Function(-2), own[0].at(k));
+    joints.smooth.at(k) = sum == Form{};
+  }
+  return joints;
 }
 
 // ---- Shapes on the family of nets
@@ -250,6 +293,12 @@ Results run_speed_rings() {
   Results results;
   results.claims.push_back(settle_statement(claim("speed.rings.c2"), rings_join(), "true",
                                             "For any weights of the vertex, whatever the speeds."));
+  const CapJoints cap = cap_joints();
+  results.claims.push_back(settle_statement(
+      claim("speed.completion"),
+      cap.outwards && cap.continuous && cap.smooth == std::array<bool, 4>{true, true, true, false},
+      "C2 outwards, C0 inside",
+      "Normals differ across the inner edges near the vertex in general: speed.fault measures by how much."));
   add_shapes(results);
   add_faults(results);
   results.claims.push_back(settle_statement(claim("figure.speed.6"), counts_agree(), "1 + 12 n and 1 + 6 n"));

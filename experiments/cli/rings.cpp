@@ -195,6 +195,9 @@ int write_rings(const RingsOptions& options) {
         "--json for the holes alone");
   if (options.out == "-" && options.json)
     throw InputError("--json: standard output takes the surface (-o -); write one of them to a file");
+  if (control != Control::none && options.control_points == options.out)
+    throw InputError("--control-points " + options.control_points +
+                     ": -o writes this file; the patches need another one");
   const SpeedSchedule schedule = schedule_of(options.sigma);
   const QuadMesh mesh = quad_mesh(options);
   RingSurface surface;

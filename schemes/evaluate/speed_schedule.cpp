@@ -100,15 +100,16 @@ Size centre_size(const NetSize& net, const VertexWeights<double>& weights, int v
 }
 
 double border_error(const RingRules<double>& rules, const NetSize& net) {
-  double worst = 0;
+  Size worst;
   for (const auto& stencil : rules.border) {
     if (!stencil) continue;
     const Size size = size_of(*stencil, net);
-    // Three levels of two products each split the border in either direction.
-    constexpr double splits = 24;
-    worst = std::max(worst, size.error + splits * unit * size.magnitude);
+    worst.magnitude = std::max(worst.magnitude, size.magnitude);
+    worst.error = std::max(worst.error, size.error);
   }
-  return worst;
+  // Means of these split the border in both directions: three levels of two products each.
+  constexpr double splits = 24;
+  return worst.error + splits * unit * worst.magnitude;
 }
 
 }  // namespace

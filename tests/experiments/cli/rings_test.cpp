@@ -298,6 +298,7 @@ TEST_F(Rings, RefuseOutputs) {
   rejects(with({}), {"nothing to write", "-o OUTPUT"});
   rejects(with({"-o", "out.stl"}), {"out.stl", ".ply"});
   rejects(with({"-o", "out.obj", "--control-points", "out.csv"}), {"--control-points", ".bv"});
+  rejects(with({"-o", "out.obj", "--control-points", "out.obj"}), {"--control-points", "another"});
   rejects(with({"-o", "-", "--json"}), {"--json", "standard output"});
   rejects(with({"-o", "out.svg", "--tessellation", "1000"}), {"--tessellation", "picture"});
   rejects({"missing.obj", "-o", "out.obj"}, {"missing.obj"});
