@@ -14,6 +14,7 @@
 #include "experiments/mesh_smoothness.h"
 #include "experiments/named_smoothness.h"
 #include "experiments/polygon_curves.h"
+#include "experiments/polyloop_curves.h"
 #include "experiments/popping.h"
 #include "experiments/ringing.h"
 #include "experiments/smoothness.h"
@@ -67,6 +68,10 @@ std::span<const Experiment> experiments() {
                  characteristic_map_heads, run_characteristic_maps},
       Experiment{"mesh-figures", "Figures of meshes, weights of Loop and butterfly (jsplines 10; notes 4, 5)",
                  mesh_figure_heads, run_mesh_figures},
+      Experiment{"polyloop-local", "Local estimates on polyloops (polyloops 1)", polyloop_local_heads,
+                 run_polyloop_local},
+      Experiment{"polyloop-curves", "Curves of polyloops compared (polyloops 3)", polyloop_curve_heads,
+                 run_polyloop_curves},
       Experiment{"speed-rules", "Rules and conversions of adjustable speed (speed II, III, IV, V)",
                  speed_rule_heads, run_speed_rules},
       Experiment{"speed-figures", "Figures that explain adjustable speed (speed, figures 2 .. 5, 10)",
