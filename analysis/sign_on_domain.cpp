@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "analysis/bernstein_form.h"
+
 namespace subdiv {
 namespace {
 
@@ -14,86 +16,11 @@ using Point = std::vector<Rational>;
 
 Rational value_at(const Polynomial& f, const Point& x) { return f.evaluate<Rational>(x); }
 
-/// The Bernstein coefficients of a polynomial on a cell.
-class CellForm {
- public:
-  CellForm(const Polynomial& f, const ParameterBox& box) {
-    for (std::size_t k = 0; k < 2; ++k)
-      degree_.at(k) = static_cast<std::size_t>(f.degree(static_cast<int>(k)));
-    // In u = (x - lower)/(upper - lower), both in [0, 1].
-    Polynomial moved = f;
-    for (int k = 0; k < 2; ++k) {
-      const auto slot = static_cast<std::size_t>(k);
-      moved =
-          moved.substitute(k, Polynomial(box.lower[slot]) +
-                                  Polynomial(box.upper[slot] - box.lower[slot]) * Polynomial::variable(k));
-    }
-    c_.assign((degree_[0] + 1) * (degree_[1] + 1), Rational(0));
-    for (const Polynomial::Term& term : moved.terms())
-      at(static_cast<std::size_t>(term.exponents[0]), static_cast<std::size_t>(term.exponents[1])) =
-          term.coefficient;
-    // u^k = sum over i >= k of binomial(i, k)/binomial(n, k) B_i(u), along one direction, then the other.
-    for (const bool first : {true, false}) {
-      for_each_line(first, [&](const auto& entry, std::size_t n) {
-        for (std::size_t k = 0; k <= n; ++k) entry(k) /= binomial(n, k);
-        for (std::size_t i = n + 1; i-- > 0;) {
-          Rational sum(0);
-          for (std::size_t k = 0; k <= i; ++k) sum += binomial(i, k) * entry(k);
-          entry(i) = sum;
-        }
-      });
-    }
-  }
-
-  [[nodiscard]] const std::vector<Rational>& coefficients() const { return c_; }
-  /// The value at a corner of the cell, and which coefficient that is.
-  [[nodiscard]] std::size_t corner_slot(bool upper0, bool upper1) const {
-    return (upper0 ? degree_[0] : 0) * (degree_[1] + 1) + (upper1 ? degree_[1] : 0);
-  }
-
-  [[nodiscard]] std::array<CellForm, 2> halves(bool first) const {
-    std::array<CellForm, 2> result{*this, *this};
-    CellForm& low = result[0];
-    CellForm& high = result[1];
-    const Rational half(1, 2);
-    const std::size_t n = degree_.at(first ? 0 : 1);
-    const std::size_t lines = degree_.at(first ? 1 : 0);
-    for (std::size_t line = 0; line <= lines; ++line) {
-      for (std::size_t level = 0; level <= n; ++level) {
-        low.entry(first, line, level) = high.entry(first, line, 0);
-        for (std::size_t i = 0; i + level < n; ++i) {
-          Rational& point = high.entry(first, line, i);
-          point = half * (point + high.entry(first, line, i + 1));
-        }
-      }
-    }
-    return result;
-  }
-
- private:
-  static Rational binomial(std::size_t n, std::size_t k) {
-    Rational result(1);
-    for (std::size_t i = 1; i <= k; ++i)
-      result = result * Rational(static_cast<std::int64_t>(n - k + i), static_cast<std::int64_t>(i));
-    return result;
-  }
-  Rational& at(std::size_t i, std::size_t j) { return c_[i * (degree_[1] + 1) + j]; }
-  Rational& entry(bool first, std::size_t line, std::size_t i) { return first ? at(i, line) : at(line, i); }
-  template <class Action>
-  void for_each_line(bool first, Action&& action) {
-    for (std::size_t line = 0; line <= degree_.at(first ? 1 : 0); ++line)
-      action([&](std::size_t i) -> Rational& { return entry(first, line, i); }, degree_.at(first ? 0 : 1));
-  }
-
-  std::array<std::size_t, 2> degree_{};
-  std::vector<Rational> c_;
-};
-
 /// A part of the box, with the forms of the domain's polynomials and of the function.
 struct Cell {
   ParameterBox box;
-  std::vector<CellForm> positive;
-  std::vector<CellForm> function;  // one, or none
+  std::vector<BernsteinForm> positive;
+  std::vector<BernsteinForm> function;  // one, or none
   std::array<int, 2> depth{};
 
   [[nodiscard]] Point middle() const {
@@ -105,7 +32,7 @@ struct Cell {
             Point{box.upper[0], box.lower[1]}, Point{box.upper[0], box.upper[1]}};
   }
   [[nodiscard]] bool is_outside() const {
-    return std::ranges::any_of(positive, [](const CellForm& form) {
+    return std::ranges::any_of(positive, [](const BernsteinForm& form) {
       return std::ranges::all_of(form.coefficients(), [](const Rational& c) { return c.sign() <= 0; });
     });
   }
@@ -115,19 +42,19 @@ struct Cell {
     std::array<Cell, 2> result{Cell{box, {}, {}, depth}, Cell{box, {}, {}, depth}};
     result[0].box.upper[k] = result[1].box.lower[k] = middle()[k];
     for (Cell& half : result) ++half.depth.at(k);
-    const auto add = [&](const CellForm& form, std::vector<CellForm> Cell::* member) {
-      std::array<CellForm, 2> parts = form.halves(first);
+    const auto add = [&](const BernsteinForm& form, std::vector<BernsteinForm> Cell::* member) {
+      std::array<BernsteinForm, 2> parts = form.halves(first);
       for (std::size_t i = 0; i < 2; ++i) (result.at(i).*member).push_back(std::move(parts.at(i)));
     };
-    for (const CellForm& form : positive) add(form, &Cell::positive);
-    for (const CellForm& form : function) add(form, &Cell::function);
+    for (const BernsteinForm& form : positive) add(form, &Cell::positive);
+    for (const BernsteinForm& form : function) add(form, &Cell::function);
     return result;
   }
 };
 
 /// All coefficients have this sign, but for values 0 at corners outside the domain.
 bool has_sign(const Cell& cell, const PlaneDomain& domain, int sign) {
-  const CellForm& form = cell.function.front();
+  const BernsteinForm& form = cell.function.front();
   const std::vector<Rational>& c = form.coefficients();
   std::vector<bool> may_vanish(c.size(), false);
   for (const bool upper0 : {false, true}) {

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "analysis/parameter_box.h"
+#include "schemes/algebra/polynomial.h"
+
+namespace subdiv {
+
+/// A polynomial over Q in x_0, x_1 in Bernstein form on a cell [lower, upper] of the plane, exact: the sum of
+/// c(i, j) B^m_i(u) B^n_j(v), u and v the coordinates in [0, 1] on the cell (Farin: Curves and Surfaces for
+/// CAGD, chapters 5, 16). It lies between its smallest and its largest coefficient.
+class BernsteinForm {
+ public:
+  BernsteinForm(const Polynomial& f, const ParameterBox& cell);
+
+  [[nodiscard]] const std::vector<Rational>& coefficients() const { return c_; }
+  /// Which coefficient is the value at a corner of the cell.
+  [[nodiscard]] std::size_t corner_slot(bool upper0, bool upper1) const {
+    return (upper0 ? degree_[0] : 0) * (degree_[1] + 1) + (upper1 ? degree_[1] : 0);
+  }
+  /// On the halves of the cell in x_0, or in x_1 (de Casteljau).
+  [[nodiscard]] std::array<BernsteinForm, 2> halves(bool first) const;
+
+ private:
+  /// Number i on a line of coefficients along x_0, or along x_1.
+  Rational& entry(bool first, std::size_t line, std::size_t i) {
+    return first ? c_[i * (degree_[1] + 1) + line] : c_[line * (degree_[1] + 1) + i];
+  }
+
+  std::array<std::size_t, 2> degree_{};
+  std::vector<Rational> c_;
+};
+
+}  // namespace subdiv
