@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 
 #include "analysis/adjustable_speed/characteristic_ring_map.h"
@@ -76,6 +77,28 @@ TEST(CharacteristicRing, SpeedOneHalfHasTheEigenvaluesOfCatmullClark) {
     const double c = std::cos(2 * std::numbers::pi / n);
     EXPECT_NEAR(ring_shape(0.5, n).eigenvalue(), (c + 5 + std::sqrt((c + 9) * (c + 1))) / 16, 1e-14);
   }
+}
+
+TEST(CharacteristicRing, IntervalsEncloseAnExactRing) {
+  // At n = 3, where 1 + c = 1/2, sigma = 7/10 has the rational v = 3/5: v^2 = (3/10 + 7/10 v)/2.
+  const RingShape<Rational> exact{Rational(7, 10), Rational(3, 5)};
+  ASSERT_EQ(exact.one_plus_cosine(), Rational(1, 2));
+  const RingShape<Interval> enclosed = ring_shape(Interval(exact.sigma), 3);
+  EXPECT_TRUE(enclosed.v.contains(exact.v));
+  EXPECT_TRUE(enclosed.eigenvalue().contains(exact.eigenvalue()));
+  const RingSector<RingPoint<Rational>> points = characteristic_ring(exact).sector;
+  const RingSector<RingPoint<Interval>> balls = characteristic_ring(enclosed).sector;
+  const auto check = [](const auto& ball, const auto& point) {
+    for (std::size_t slot = 0; slot < 16; ++slot) {
+      for (std::size_t k = 0; k < 2; ++k) {
+        EXPECT_TRUE(ball[slot][k].contains(point[slot][k])) << slot;
+        EXPECT_LT(ball[slot][k].radius(), 1e-30);
+      }
+    }
+  };
+  check(balls.corner, points.corner);
+  check(balls.next_side, points.next_side);
+  check(balls.first_side, points.first_side);
 }
 
 TEST(CharacteristicRing, RegularVertexHasTheRingOfTheIdentity) {
