@@ -9,6 +9,7 @@
 #include "experiments/family.h"
 #include "experiments/hoelder_exponents.h"
 #include "experiments/interpolation.h"
+#include "experiments/lecture_notes.h"
 #include "experiments/limit_masks.h"
 #include "experiments/mesh_figures.h"
 #include "experiments/mesh_smoothness.h"
@@ -59,6 +60,8 @@ std::span<const Experiment> experiments() {
                  polygon_curve_heads, run_polygon_curves},
       Experiment{"curve-figures", "Figures of curves (js-report, jsplines, notes)", curve_figure_heads,
                  run_curve_figures},
+      Experiment{"lecture-notes", "Bezier curves, B-splines, the four-point rule, meshes (notes 1 .. 5)",
+                 lecture_note_heads, run_lecture_notes},
       Experiment{"ringing", "Ringing (js-report 12, 14, appendix)", ringing_heads, run_ringing},
       Experiment{"surfaces", "Grid surfaces: ringing and popping (js-report 9, 13, 14; jsplines 10, 11)",
                  surface_heads, run_surfaces},
@@ -72,6 +75,8 @@ std::span<const Experiment> experiments() {
                  run_polyloop_local},
       Experiment{"polyloop-curves", "Curves of polyloops compared (polyloops 3)", polyloop_curve_heads,
                  run_polyloop_curves},
+      Experiment{"polyloop-figures", "Figures of polyloops (polyloops 3)", polyloop_figure_heads,
+                 run_polyloop_figures},
       Experiment{"speed-rules", "Rules and conversions of adjustable speed (speed II, III, IV, V)",
                  speed_rule_heads, run_speed_rules},
       Experiment{"speed-figures", "Figures that explain adjustable speed (speed, figures 2 .. 5, 10)",
