@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -31,6 +32,14 @@ double root_of_dimension(const BezierCurve& curve) {
   return std::sqrt(static_cast<double>(curve.size())) * (1 + 4 * unit);
 }
 
+/// n (n-1)/8.
+double chord_factor(const BezierCurve& curve) {
+  const auto n = static_cast<double>(degree_of(curve));
+  return n * (n - 1) / 8;
+}
+
+double times_above(double a, double b) { return a * b * (1 + 4 * unit) + smallest; }
+
 /// The length of a vector whose coordinates are off by at most `error`, rounded upwards.
 double length_above(const std::vector<double>& v, double error) {
   double scale = 0;
@@ -45,17 +54,56 @@ double length_above(const std::vector<double>& v, double error) {
 /// Differences of three coordinates, or of two and a part of a chord, are off by at most this.
 double difference_error(const BezierCurve& curve) { return 16 * unit * largest_coordinate(curve); }
 
+std::vector<double> second_difference(const BezierCurve& curve, std::size_t i) {
+  std::vector<double> difference;
+  for (const std::vector<double>& c : curve) difference.push_back((c[i - 1] - c[i]) - (c[i] - c[i + 1]));
+  return difference;
+}
+
 /// D, rounded upwards.
 double largest_second_difference(const BezierCurve& curve) {
   const double error = difference_error(curve);
   double largest = 0;
-  std::vector<double> difference(curve.size());
-  for (std::size_t i = 1; i < degree_of(curve); ++i) {
-    for (std::size_t c = 0; c < curve.size(); ++c)
-      difference[c] = (curve[c][i - 1] - curve[c][i]) - (curve[c][i] - curve[c][i + 1]);
-    largest = std::max(largest, length_above(difference, error));
-  }
+  for (std::size_t i = 1; i < degree_of(curve); ++i)
+    largest = std::max(largest, length_above(second_difference(curve, i), error));
   return largest;
+}
+
+double inner_product(const std::vector<double>& a, const std::vector<double>& b) {
+  double sum = 0;
+  for (std::size_t c = 0; c < a.size(); ++c) sum += a[c] * b[c];
+  return sum;
+}
+
+/// The bound by second differences across the chord, rounded upwards: each is a multiple of the chord, any
+/// one will do, and a rest. Nothing for chords of length 0.
+std::optional<double> distance_from_line_and_beyond(const BezierCurve& curve) {
+  const std::size_t n = degree_of(curve);
+  std::vector<double> chord;
+  for (const std::vector<double>& c : curve) chord.push_back(c[n] - c[0]);
+  double scale = 0;
+  for (const double x : chord) scale = std::max(scale, std::abs(x));
+  if (!(scale > 0)) return std::nullopt;
+  for (double& x : chord) x /= scale;
+  const double squares = inner_product(chord, chord);
+  const double error = 4 * static_cast<double>(curve.size()) * difference_error(curve);
+  double across = 0;
+  double beyond = 0;
+  for (std::size_t i = 1; i < n; ++i) {
+    std::vector<double> rest = second_difference(curve, i);
+    const double along = inner_product(rest, chord) / squares;
+    std::vector<double> from_first;
+    std::vector<double> from_last;
+    for (std::size_t c = 0; c < curve.size(); ++c) {
+      rest[c] -= along * chord[c];
+      from_first.push_back(curve[c][i] - curve[c][0]);
+      from_last.push_back(curve[c][i] - curve[c][n]);
+    }
+    across = std::max(across, length_above(rest, error));
+    beyond = std::max({beyond, -inner_product(from_first, chord), inner_product(from_last, chord)});
+  }
+  beyond = times_above(beyond, 1 / std::sqrt(squares)) + error * root_of_dimension(curve);
+  return times_above(chord_factor(curve), across) + beyond * (1 + 4 * unit);
 }
 
 /// h, rounded upwards. Any place on the chord bounds the distance from it, so that the nearest one need not
@@ -83,14 +131,6 @@ double largest_distance_from_chord(const BezierCurve& curve) {
   }
   return largest;
 }
-
-/// n (n-1)/8.
-double chord_factor(const BezierCurve& curve) {
-  const auto n = static_cast<double>(degree_of(curve));
-  return n * (n - 1) / 8;
-}
-
-double times_above(double a, double b) { return a * b * (1 + 4 * unit) + smallest; }
 
 /// What `halvings` of the whole curve may have moved a control point: each of n averages of a halving adds
 /// half a unit in the last place, or half the smallest number; averages do not enlarge what is there.
@@ -161,8 +201,9 @@ int certain_levels(const BezierCurve& curve, double tolerance) {
 
 double chord_distance_bound(const BezierCurve& curve) {
   if (degree_of(curve) < 2) return 0;
-  return std::min(times_above(chord_factor(curve), largest_second_difference(curve)),
-                  largest_distance_from_chord(curve));
+  const double bound = std::min(times_above(chord_factor(curve), largest_second_difference(curve)),
+                                largest_distance_from_chord(curve));
+  return std::min(bound, distance_from_line_and_beyond(curve).value_or(bound));
 }
 
 double polygon_distance_bound(const BezierCurve& curve) {

@@ -13,11 +13,12 @@ using BezierCurve = std::vector<std::vector<double>>;
 /// rounded upwards. D is the largest |b_{i-1} - 2 b_i + b_{i+1}|, h the largest distance of a b_i from the
 /// segment of b_0 and b_n.
 ///
-/// The chord: the smaller of n (n-1)/8 D and h. The first is the error of linear interpolation, |f''|/8 at
-/// most, with |f''| <= n (n-1) D (Filip, Magedson & Markot: Surface algorithms using bounds on derivatives,
-/// 1986). The second: the curve lies within h of the chord, as its control points do; and since it runs from
-/// one end of the chord to the other, some point of it projects to each point of the chord. It holds for
-/// chords of length 0, too.
+/// The chord: the smallest of three bounds. n (n-1)/8 D, as linear interpolation errs by |f''|/8 at most and
+/// |f''| <= n (n-1) D (Filip, Magedson & Markot: Surface algorithms using bounds on derivatives, 1986). The
+/// same with the parts of second differences across the chord alone, for the distance from its line, plus how
+/// far control points reach beyond its ends. And h: the curve lies within h of the chord, as its control
+/// points do. The way back, from chord to curve, is not longer: the curve runs from one end of the chord to
+/// the other, so that some point of it projects to each point of the chord. All hold for chords of length 0.
 [[nodiscard]] double chord_distance_bound(const BezierCurve& curve);
 
 /// The control polygon: floor(n/2) ceil(n/2) / (2 n) D (Nairn, Peters & Lutterkort: Sharp, quantitative

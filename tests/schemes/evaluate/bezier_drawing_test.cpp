@@ -142,6 +142,16 @@ TEST(BezierDrawing, BoundsAreAttained) {
   EXPECT_NEAR(polygon_distance_bound({{0, 0, 0, 1}, {0, 0, 0, 0}}), 1.0 / 3, 1e-12) << "a cubic: D/3";
 }
 
+// What second differences do along the chord does not count: the arch rises to 3/4, the parabola to 1/2.
+TEST(BezierDrawing, OnlyBendsAcrossTheChordCount) {
+  EXPECT_NEAR(chord_distance_bound({{0, 1, 9, 10}, {0, 1, 1, 0}}), 0.75, 1e-12);
+  EXPECT_NEAR(chord_distance_bound({{0, 1, 2}, {0, 1, 0}}), 0.5, 1e-12);
+  // Beyond the ends it does: from (0, 0) over (-3, 1), (3, 1) to (0, 0) or nearly so.
+  const std::vector<BezierCurve> beyond{{{0, -3, 3, 1}, {0, 1, 1, 0}}};
+  const BezierPolyline chord{{{0, 1}, {0, 0}}, 1, 0, chord_distance_bound(beyond[0])};
+  EXPECT_LE(measured(beyond, chord, 1e-6).lower, chord.bound);
+}
+
 // Wang's number of levels, by hand: n (n-1)/8 D = 3/4 sqrt(2) = 1.06; four levels divide it by 256.
 TEST(BezierDrawing, LevelsNeeded) {
   const BezierCurve arch{{0, 0, 1, 1}, {0, 1, 1, 0}};
