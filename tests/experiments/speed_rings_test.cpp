@@ -19,7 +19,8 @@ const Results& results() {
 }
 
 RingModel blend() {
-  const MeshFile file = read_mesh(std::filesystem::path(SUBDIVLAB_DATA_DIR) / "speed-blend.obj");
+  const MeshFile file =
+      read_mesh(std::filesystem::path(SUBDIVLAB_SOURCE_DIR) / "experiments/data/speed-blend.obj");
   return {surface_of(file), file.points};
 }
 

@@ -52,7 +52,7 @@ std::string fan_text(int n) {
   return text.str();
 }
 
-const std::string handles = std::string(SUBDIVLAB_DATA_DIR) + "/mesh-handles.obj";
+const std::string handles = std::string(SUBDIVLAB_SOURCE_DIR) + "/experiments/data/mesh-handles.obj";
 
 class Rings : public ::testing::Test {
  protected:
