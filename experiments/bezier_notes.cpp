@@ -404,12 +404,17 @@ void add_split_figure(Results& results) {
   drawing.panels.push_back(
       {"P0 P1 P2 P3",
        {{"", p, false, style::polygon}, {"", smooth_curve(p), false, style::line(2)}, dots(p)}});
-  drawing.panels.push_back({"P0 P01 P012 P0123, P0123 P123 P23 P3",
+  const auto& [x1, y1] = p[1];
+  const auto& [x2, y2] = p[2];
+  const Plane between{first[1], {(x1 + x2) / Rational(2), (y1 + y2) / Rational(2)}, second[2]};
+  drawing.panels.push_back({"P0 P01 P012 P0123, P0123 P123 P23 P3; P12 on top",
                             {{"", p, false, style::polygon},
+                             {"", between, false, style::polygon},
                              {"", first, false, style::line(0, 1.2)},
                              {"", second, false, style::line(1, 1.2)},
                              {"", smooth_curve(first), false, style::line(0, 3)},
                              {"", smooth_curve(second), false, style::line(1, 3)},
+                             dots(between),
                              dots(first),
                              dots(second)}});
   add_drawing(results, drawing);

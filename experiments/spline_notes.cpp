@@ -201,14 +201,13 @@ PolyloopOperator<Rational> doubling() { return {1, {Laurent<Rational>(1), Lauren
 
 void add_operators(Results& results) {
   const auto doubling_mask = mask_of(doubling());
-  const bool doubles = doubling_mask && doubling_mask->arity == 2 &&
-                       doubling_mask->symbol == Laurent<Rational>(0, {1, 1}) &&
-                       for_all_lengths(doubled, [](int n) {
-                         Points points;
-                         for (int i = 0; i <= n; ++i)
-                           points.insert(points.end(), {control_point(i), control_point(i)});
-                         return points;
-                       });
+  const bool sequence_doubles = for_all_lengths(doubled, [](int n) {
+    Points points;
+    for (int i = 0; i <= n; ++i) points.insert(points.end(), {control_point(i), control_point(i)});
+    return points;
+  });
+  const bool doubles = sequence_doubles && doubling_mask && doubling_mask->arity == 2 &&
+                       doubling_mask->symbol == Laurent<Rational>(0, {1, 1});
   results.claims.push_back(statement("notes.doubling", doubles, "1 + z"));
   const auto averaging = mask_of(polyloop::dual<Rational>());
   const Mask<Rational> half{1, Laurent<Rational>(0, {Rational(1, 2), Rational(1, 2)})};
