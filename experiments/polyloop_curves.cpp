@@ -526,7 +526,8 @@ void add_jerks(Results& results) {
   constexpr double unnoticed = 0.1;
   constexpr double margin = 1e-9;
   results.claims.push_back(
-      share("polyloops.jerk.j0", below(cubic, four_point, barely), ratios_text(cubic, four_point)));
+      share("polyloops.jerk.j0", below(cubic, four_point, barely),
+            ratios_text(cubic, four_point) + " It is about halved by each further level."));
   int irregular = 0;
   int rising = 0;
   int both = 0;

@@ -123,7 +123,7 @@ PlanePolygon in_unit_box(const PlanePolygon& points, const PlanePolygon& box) {
 }
 
 void add_family(Results& results) {
-  Drawing drawing{"polyloop-family", "J_0, J_2, J_4, J_6, J_8 inwards out (old parameter)", {}};
+  Drawing drawing{"polyloop-family", "J0, J2, J4, J6, J8 inwards out", {}};
   for (const char* name : {"square", "non-convex"}) {
     const PlanePolygon& polygon = stored_polyloop(name);
     Panel panel{name, {polygon_stroke(in_unit_box(polygon, polygon))}};
@@ -148,14 +148,14 @@ void add_family(Results& results) {
 void add_superposed(Results& results) {
   const PlanePolygon& polygon = stored_polyloop("crossing");
   Panel panel{"", {}};
-  const std::vector<std::string> shades{"#009e73", "#56b4e9", "#0072b2", "#e69f00", "#d55e00"};
   for (std::size_t i = inwards_out.size(); i-- > 0;) {
     panel.strokes.push_back(
         {inwards_out[i], plane(curve(inwards_out[i], polygon)), true,
-         fmt::format("filledcurves closed fs transparent solid 0.25 border lc rgb '{}'", shades[i])});
+         fmt::format("filledcurves closed fc rgb '{}' fs transparent solid 0.25 border lc rgb '{}'",
+                     colours[i], colours[i])});
   }
   panel.strokes.push_back(polygon_stroke(polygon));
-  add_drawing(results, {"polyloop-superposed", "Regions of J_8 .. J_0, self-intersecting polyloop", {panel}});
+  add_drawing(results, {"polyloop-superposed", "Regions of J8 .. J0, self-intersecting polyloop", {panel}});
   results.claims.push_back(number(
       "figure.polyloops.superposed", doubled_area(curve("J8", polygon)) / doubled_area(curve("J0", polygon)),
       "Parts of the region count by their winding number, which is negative in the larger one."));
@@ -166,11 +166,11 @@ void add_j4_j5(Results& results) {
   const Points j4 = curve("J4", polygon);
   const Points j5 = curve("J5", polygon);
   add_drawing(results, {"polyloop-j4-j5",
-                        "J_4 and J_5 (old parameter)",
+                        "J4 and J5",
                         {{"",
                           {{"L", polygon, true, style::polygon},
-                           {"J_4", plane(j4), true, in_colour("#0072b2", 2)},
-                           {"J_5", plane(j5), true, in_colour("#d55e00", 2)}}}}});
+                           {"J4", plane(j4), true, in_colour("#0072b2", 2)},
+                           {"J5", plane(j5), true, in_colour("#d55e00", 2)}}}}});
   results.claims.push_back(number("figure.polyloops.j4-j5", doubled_area(j5) / doubled_area(j4)));
 }
 
@@ -210,7 +210,8 @@ PlanePolygon comb(const Polyline& curve, double scale) {
 void add_jerk(Results& results) {
   const std::array<std::pair<std::string, std::string>, 3> shown{
       std::pair{"J0", "#009e73"}, {"Jm", "#8b5a2b"}, {"J8", "#d55e00"}};
-  Drawing drawing{"polyloop-jerk", "Normal jerk of J_0, J_m and J_8, level 4, in one scale", {}};
+  Drawing drawing{"polyloop-jerk", "Normal jerk of J0, Jm and J8, level 4, in one scale", {}};
+  constexpr double longest_tooth = 1.8;  // in the polygons' units
   for (const char* name : {"square", "non-convex"}) {
     const PlanePolygon& polygon = stored_polyloop(name);
     const double longest = normal_jerk(refined(polyloop_curve("J8"), polygon, jerk_level)).largest;
@@ -219,9 +220,9 @@ void add_jerk(Results& results) {
       drawing.panels.push_back(
           {fmt::format("{}, {}", curve_name, name),
            {polygon_stroke(in_unit_box(polygon, polygon)),
-            {"", in_unit_box(comb(fine, 1 / longest), polygon), true, in_colour(colour, 0.7)},
             {"", in_unit_box(plane(curve(curve_name, polygon, jerk_level)), polygon), true,
-             in_colour("#000000", 1)}}});
+             in_colour("#000000", 1)},
+            {"", in_unit_box(comb(fine, longest_tooth / longest), polygon), true, in_colour(colour, 0.7)}}});
     }
   }
   add_drawing(results, drawing);
@@ -236,7 +237,7 @@ void add_jerk(Results& results) {
 
 void add_row(Results& results) {
   const PlanePolygon& polygon = stored_polyloop("star");
-  Drawing drawing{"polyloop-row", "L, J_0, J_2, J_4, J_5, J_6, J_8, J_m", {}};
+  Drawing drawing{"polyloop-row", "L, J0, J2, J4, J5, J6, J8, Jm", {}};
   drawing.panels.push_back({"L", {{"", polygon, true, in_colour("#000000")}}});
   for (const PolyloopCurve& shown : polyloop_curves()) {
     drawing.panels.push_back(

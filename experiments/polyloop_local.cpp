@@ -489,7 +489,7 @@ void add_curvature_figure(Results& results) {
   Series table_of{name, {"step"}, {}};
   Figure figure{name,     "Errors of curvatures by circle (points) and by parabola (lines)",
                 "step h", "error of the curvature",
-                {},       "set logscale xy; set format y '%.0e'; set key outside right"};
+                {},       "set logscale xy; set format '%.0e'; set key outside right"};
   const std::vector<std::string> colours{"#d55e00", "#009e73", "#0072b2", "#cc79a7", "#e69f00"};
   const std::vector<Known> curves = known_curves();
   for (std::size_t i = 0; i < curves.size(); ++i) {
@@ -509,7 +509,7 @@ void add_curvature_figure(Results& results) {
       if (!even && by_circle) figure.curves.back().style = "points pt 6 ps 0.7 lc rgb '" + colours[i] + "'";
     }
   }
-  constexpr int steps = 14;
+  constexpr int steps = 10;
   for (int k = 0; k <= steps; ++k) {
     const double h = std::ldexp(0.5, -k);
     std::vector<std::string> row{fmt::format("{:.{}g}", h, digits)};

@@ -363,12 +363,14 @@ struct CommandLine {
                     "Width of the bounds of distances (default: a millionth of the extent)")
         ->type_name("T")
         ->check(positive_number());
+    verb.add_flag("--local", options.local,
+                  "Velocity, acceleration, curvature radii and jerk at every vertex, of the finest level");
     verb.add_flag("--json", options.json, "Machine-readable output; numbers are strings");
-    verb.footer(
-        std::string("Examples:  subdivlab measure square.csv\n"
-                    "           subdivlab measure square.csv --scheme jspline:s=3/8 --levels 6\n"
-                    "           subdivlab measure curve.csv --against other.csv --tolerance 1e-9\n\n") +
-        exit_codes);
+    verb.footer(std::string("Examples:  subdivlab measure square.csv\n"
+                            "           subdivlab measure square.csv --scheme jspline:s=3/8 --levels 6\n"
+                            "           subdivlab measure curve.csv --against other.csv --tolerance 1e-9\n"
+                            "           subdivlab measure square.csv --local\n\n") +
+                exit_codes);
     verb.callback([this] { action = [this] { return measure(measure_options); }; });
   }
 

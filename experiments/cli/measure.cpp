@@ -8,6 +8,7 @@
 #include "analysis/curve_measures.h"
 #include "analysis/hausdorff_distance.h"
 #include "experiments/cli/control_points.h"
+#include "experiments/cli/local_estimates.h"
 #include "experiments/cli/verbs.h"
 #include "experiments/report/utf8.h"
 #include "schemes/input_error.h"
@@ -97,9 +98,17 @@ void print_table(const std::vector<Measures>& all) {
   }
 }
 
+/// Local estimates take some memory and a line for every vertex.
+void require_few(std::size_t vertices) {
+  constexpr std::size_t most = std::size_t{1} << 20U;
+  if (vertices > most)
+    throw InputError(fmt::format("--local: {} vertices; measure at most {}", vertices, most));
+}
+
 /// The polygon, and its refinements where a scheme is given.
 std::vector<Measures> measure_levels(const MeasureOptions& options, const PointList<double>& points,
                                      double tolerance) {
+  if (options.local) require_few(points.size());
   if (options.scheme.empty()) return {measures_of(plain(points, options.open.empty()), 0)};
   const SchemeDescription description = evaluated_scheme(options.scheme);
   const Scheme<double> scheme = scheme_in_double(description);
@@ -109,6 +118,7 @@ std::vector<Measures> measure_levels(const MeasureOptions& options, const PointL
   if (options.levels > deepest || refined_points(controls.topology, scheme.arity(), options.levels) > most)
     throw InputError(
         fmt::format("--levels {}: more than {} points; measure fewer levels", options.levels, most));
+  if (options.local) require_few(refined_points(controls.topology, scheme.arity(), options.levels));
   std::vector<Measures> all;
   for (int level = 0; level <= options.levels; ++level)
     all.push_back(measures_of(refine(scheme, controls, level), level));
@@ -119,6 +129,14 @@ std::vector<Measures> measure_levels(const MeasureOptions& options, const PointL
         scheme.steps, [](const Mask<double>& step) { return step.symbol == reverse(step.symbol); });
   }
   return all;
+}
+
+/// The polygon itself, or its last refinement.
+Polyline finest(const MeasureOptions& options, const PointList<double>& points) {
+  if (options.scheme.empty()) return plain(points, options.open.empty());
+  const SchemeDescription description = evaluated_scheme(options.scheme);
+  return refine(scheme_in_double(description), control_curve(points, options.open, description),
+                options.levels);
 }
 
 }  // namespace
@@ -154,14 +172,19 @@ int measure(const MeasureOptions& options) {
           {"hausdorff",
            {{"lower", fmt::format("{}", distance->lower)}, {"upper", fmt::format("{}", distance->upper)}}}};
     }
+    if (options.local) json["local"] = local_estimates_json(finest(options, points));
     std::cout << json.dump(2) << "\n";
     return ExitCode::done;
   }
+  const std::optional<Polyline> polygon =
+      options.local ? std::optional(finest(options, points)) : std::nullopt;
+  if (polygon) require_local_estimates(*polygon);
   print_table(all);
   if (distance) {
     std::cout << fmt::format("Hausdorff distance to {}: [{:.8g}, {:.8g}]\n", options.against, distance->lower,
                              distance->upper);
   }
+  if (polygon) print_local_estimates(*polygon);
   return ExitCode::done;
 }
 

@@ -117,6 +117,7 @@ struct MeasureOptions {
   int levels = 0;
   std::string against;   // a second polygon
   double tolerance = 0;  // of distances; 0 for a millionth of the extent
+  bool local = false;    // estimates at every vertex and edge, of the finest level
   bool json = false;
 };
 /// Prints length, area, normal jerk and distances of polygons.

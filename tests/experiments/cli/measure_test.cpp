@@ -81,6 +81,41 @@ TEST_F(Measure, DistanceBetweenPolygons) {
   expect_contains(run({"square.csv", "--against", "moved.csv"}).output, "Hausdorff distance to moved.csv");
 }
 
+TEST_F(Measure, LocalEstimates) {
+  file("square.csv", "0,0\n4,0\n4,4\n0,4\n");
+  const Json at = json({"square.csv", "--local"})["local"];
+  ASSERT_EQ(at.size(), 4U);
+  EXPECT_EQ(at[1]["vertex"], 1);  // (4,0) between (0,0) and (4,4)
+  EXPECT_EQ(number(at[1]["velocity"][0]), 2);
+  EXPECT_EQ(number(at[1]["velocity"][1]), 2);
+  EXPECT_EQ(number(at[1]["acceleration"][0]), -4);
+  EXPECT_EQ(number(at[1]["acceleration"][1]), 4);
+  EXPECT_NEAR(number(at[1]["normal"][0]), -std::sqrt(0.5), 1e-15);
+  EXPECT_NEAR(number(at[1]["circle_radius"]), 2 * std::sqrt(2.0), 1e-14);  // half the diagonal
+  EXPECT_NEAR(number(at[1]["parabola_radius"]), std::sqrt(2.0), 1e-14);    // V^2/(2h) = 8/(4 sqrt 2)
+  EXPECT_EQ(number(at[0]["jerk"][0]), -8);  // of (0,0) to (4,0), by hand in ASquare
+  EXPECT_EQ(number(at[0]["jerk"][1]), 0);
+  EXPECT_EQ(number(at[0]["normal_jerk"]), 0);
+  expect_contains(run({"square.csv", "--local"}).output, "radius, parabola");
+
+  file("path.csv", "0,0,0\n1,0,0\n2,0,0\n2,1,0\n");
+  const Json path = json({"path.csv", "--open", "plain", "--local"})["local"];
+  ASSERT_EQ(path.size(), 2U);
+  EXPECT_EQ(path[0]["vertex"], 1);
+  EXPECT_EQ(path[0]["circle_radius"], "inf");
+  EXPECT_TRUE(path[0]["normal"].empty());
+  EXPECT_TRUE(path[0].contains("jerk"));
+  EXPECT_FALSE(path[1].contains("jerk"));
+
+  const Json fine = json({"square.csv", "--scheme", "jspline:s=1", "--levels", "3", "--local"});
+  EXPECT_EQ(fine["local"].size(), 32U);
+  double largest = 0;
+  for (const Json& vertex : fine["local"])
+    largest = std::max(largest, std::abs(number(vertex["normal_jerk"])));
+  EXPECT_EQ(largest, number(fine["levels"][3]["normal_jerk"]["largest"]));
+  EXPECT_FALSE(json({"square.csv"}).contains("local"));
+}
+
 TEST_F(Measure, BadInputEndsWith2) {
   file("square.csv", "0,0\n4,0\n4,4\n0,4\n");
   file("space.csv", "0,0,0\n1,1,1\n");
@@ -94,6 +129,10 @@ TEST_F(Measure, BadInputEndsWith2) {
   rejects({"square.csv", "--scheme", "jspline:s=1", "--levels", "40"}, {"--levels 40"});
   rejects({"square.csv", "--tolerance", "0"}, {"--tolerance"});
   rejects({"square.csv", "--scheme", "jspline:s=1", "--levels", "62"}, {"--levels 62"});
+  file("two.csv", "0,0\n1,1\n");
+  rejects({"two.csv", "--open", "plain", "--local"}, {"--local", "at least 3"});
+  rejects({"square.csv", "--scheme", "jspline:s=1", "--levels", "19", "--local"},
+          {"--local", "2097152", "1048576"});
   file("open.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nl 1 2 3\n");
   rejects({"open.obj"}, {"open.obj", "--open plain"});
 }
