@@ -100,9 +100,13 @@ const std::array table{
     ClaimHead{"notes.four-point.figure", "notes", "3, figure 4",
               "ends at the third from the end (in this case, P5)", ClaimKind::exact,
               "The n for which P_{n-2} is P_5."},
-    finding("figure.notes.degree-1", "notes 2, figure 2",
-            "On the stored open polygon figure-open.csv: three steps of degree 1 put a point at every eighth "
-            "of every edge, in their order, and none elsewhere: the number of points."),
+    ClaimHead{
+        "figure.notes.degree-1", "notes", "2, figure 2",
+        "all the points are densely stretched along the B-spline curve (here: piecewise linear curve "
+        "which joins the consecutive control points)",
+        ClaimKind::exact,
+        "On the stored open polygon figure-open.csv: three steps of degree 1 put a point at every eighth "
+        "of every edge, in their order, and none elsewhere: the number of points."},
 };
 
 const ClaimHead& claim(const std::string& id) { return head(table, id); }

@@ -223,6 +223,54 @@ TEST(BezierDrawing, ScalesWithItsInput) {
   }
 }
 
+// Halving in doubles against halving over Q: control points are off by no more than is said.
+TEST(BezierDrawing, RoundingIsBounded) {
+  std::mt19937 random(13);
+  constexpr int depth = 7;
+  for (const std::size_t degree : {2U, 3U, 6U}) {
+    for (const int power : {0, -1070, 900}) {  // among subnormal numbers, too
+      BezierCurve curve = random_curve(random, 1, degree);
+      for (double& x : curve[0]) x = std::ldexp(x, power);
+      std::vector<std::vector<Rational>> parts(1);
+      for (const double x : curve[0]) parts[0].push_back(Rational::from_double(x));
+      for (int level = 0; level < depth; ++level) {
+        std::vector<std::vector<Rational>> finer;
+        for (const auto& part : parts) {
+          auto [first, second] = split_bezier(
+              part, [](const Rational& a, const Rational& b) { return Rational((a + b) / Rational(2)); });
+          finer.push_back(std::move(first));
+          finer.push_back(std::move(second));
+        }
+        parts = std::move(finer);
+      }
+      const std::vector<double> line = draw_to_depth({curve}, depth, many).coordinates[0];
+      const Rational bound = Rational::from_double(rounding_of_halvings(curve, depth));
+      Rational largest(0);
+      for (std::size_t k = 0; k < parts.size(); ++k) {
+        for (std::size_t i = 0; i <= degree; ++i) {
+          const Rational difference = Rational::from_double(line[k * degree + i]) - parts[k][i];
+          largest = std::max(largest, difference.sign() < 0 ? -difference : difference);
+        }
+      }
+      EXPECT_LE(largest, bound) << degree << ' ' << power;
+      EXPECT_GT(largest, Rational(0)) << "there is rounding to speak of";
+    }
+  }
+}
+
+// Far from the origin rounding is coarser than the curve: the bound knows.
+TEST(BezierDrawing, CurvesFarFromTheOrigin) {
+  BezierCurve curve{{0, 1, 2, 3}, {0, 1, 1, 0}};
+  const double far = std::ldexp(1.0, 40);
+  for (auto& c : curve) {
+    for (double& x : c) x += far;
+  }
+  const BezierPolyline line = draw_to_tolerance({curve}, 0.05, many);
+  EXPECT_LE(line.bound, 0.05);
+  EXPECT_GT(line.bound, std::ldexp(1.0, 40 - 53));
+  expect_input_error([&] { (void)draw_to_tolerance({curve}, 1e-5, many); }, {"rounding"});
+}
+
 TEST(BezierDrawing, ConsecutiveCurvesShareTheirEnds) {
   const auto curves = consecutive_curves({{0, 1, 2, 3, 4, 5, 6}}, 3);
   ASSERT_EQ(curves.size(), 2U);
