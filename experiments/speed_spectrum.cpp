@@ -148,8 +148,11 @@ void add_equations(Results& results) {
                                             "The radicand is not negative, so that both roots are real."));
 }
 
-std::string digits(const Algebraic& number, int count) {
-  return to_significant(number.to_interval().midpoint(), count);
+enum class Rounded { down = -1, up = 1 };
+
+std::string digits(const Algebraic& number, Rounded direction) {
+  constexpr int count = 9;
+  return to_significant(number.to_interval().midpoint(), count, static_cast<int>(direction));
 }
 
 /// The one interval that a set consists of.
@@ -172,35 +175,41 @@ void add_subdominant(Results& results) {
 
 void add_mu(Results& results) {
   require(mode_2_exceeds_square(), "mode 2 exceeds lambda^2");
-  require(mode_2_is_next_from_6_on(), "mode 2 is next from valence 6 on");
+  require(mode_2_is_next_from(6), "mode 2 is next from valence 6 on");
   const RealSet next_at_5 = speeds_with_mode_2_next(5);
   const RealInterval& at_5 = only_part(next_at_5, "one interval at valence 5");
   require(*at_5.lower == Algebraic(0) && *at_5.upper < Algebraic(1), "mode 2 is next from 0 on at valence 5");
   const RealSet below_at_3 = speeds_with_next_below_square_at_3();
   const RealInterval& at_3 = only_part(below_at_3, "one interval at valence 3");
-  const std::string range_at_3 = fmt::format("({}, {})", digits(*at_3.lower, 7), digits(*at_3.upper, 7));
-  const std::string end_at_5 = digits(*at_5.upper, 9);
+  // Rounded so that what is said holds: mu < lambda^2 inside, mu > lambda^2 outside of the wider interval.
+  const std::string inside_at_3 =
+      fmt::format("({}, {})", digits(*at_3.lower, Rounded::up), digits(*at_3.upper, Rounded::down));
+  const std::string outside_at_3 =
+      fmt::format("n >= 5, and n = 3 for σ outside [{}, {}]", digits(*at_3.lower, Rounded::down),
+                  digits(*at_3.upper, Rounded::up));
+  const std::string up_to_end_at_5 =
+      fmt::format("n >= 6, and n = 5 for σ < {}", digits(*at_5.upper, Rounded::down));
+  const std::string from_end_at_5 = digits(*at_5.upper, Rounded::up);
 
   results.claims.push_back(settle_statement(
-      claim("speed.mu"), false, fmt::format("n >= 6, and n = 5 for σ < {}", end_at_5),
+      claim("speed.mu"), false, up_to_end_at_5,
       fmt::format(
           "At valence 3 mode 2 is mode 1 again, n - 1, and its roots are lambda and q^4/lambda: mu is "
           "never the larger one. At valence 5 the larger root of (6) exceeds that of (7) for k = 2 from "
           "sigma = {} on. It is true for all sigma at every valence n >= 6, and at n = 4, where the "
           "root q^2 belongs to mode 0, too.",
-          end_at_5)));
+          from_end_at_5)));
   results.claims.push_back(settle(claim("speed.mu.5.end"), exact(*at_5.upper)));
   results.claims.push_back(settle_statement(
       claim("speed.mu.from-6"), true, "true",
       "With E = (9 + (n-4)(1+q)^2)(1 - cos(4 pi/n)): E < 18 from n = 18 on; up to 17, (E - 18)^2 < 9 (1 + "
       "cos(4 pi/n))(1+q)(9 q (1+q) + sigma (18 - E)) where E >= 18."));
   results.claims.push_back(settle_statement(
-      claim("speed.mu.square"), false,
-      fmt::format("n >= 5, and n = 3 for σ outside [{}, {}]", digits(*at_3.lower, 7), digits(*at_3.upper, 7)),
+      claim("speed.mu.square"), false, outside_at_3,
       fmt::format("At valence 3 all moduli after lambda are below lambda^2 for sigma in {}, an interval that "
                   "contains Catmull-Clark's 1/2 (mu = 1/6 there); at valence 4 mu = lambda^2. It is true for "
                   "every n >= 5 and every sigma.",
-                  range_at_3)));
+                  inside_at_3)));
   results.claims.push_back(settle_statement(claim("speed.mu.square.from-5"), true, "true",
                                             "With lambda = q W, W = q + sigma v, 1 + cos(2 pi/n) = v^2/W, "
                                             "the polynomial (7) for k = 2 has the value "
@@ -224,18 +233,17 @@ void add_mu(Results& results) {
   results.claims.push_back(settle(claim("speed.mu.square.3.upper"), exact(*at_3.upper),
                                   "The smaller root of (6) is -lambda^2 there, above it mu > lambda^2."));
   results.claims.push_back(settle_statement(
-      claim("speed.unbounded"), false,
-      fmt::format("n >= 5, and n = 3 for σ outside [{}, {}]", digits(*at_3.lower, 7), digits(*at_3.upper, 7)),
+      claim("speed.unbounded"), false, outside_at_3,
       fmt::format("mu < lambda^2 at valence 3 for sigma in {}: curvatures tend to 0 there, with "
                   "Catmull-Clark, sigma = 1/2, too. Unbounded for every n >= 5.",
-                  range_at_3)));
+                  inside_at_3)));
   results.claims.push_back(settle_statement(
-      claim("speed.hyperbolic"), false, fmt::format("n >= 6, and n = 5 for σ < {}", end_at_5),
+      claim("speed.hyperbolic"), false, up_to_end_at_5,
       fmt::format(
           "At valence 3 modes 2 and n - 2 are those of lambda, and the second-order part is that of "
           "other eigenvalues (or vanishes, for sigma in {}); at valence 5 mu belongs to mode 0, which is "
           "invariant under rotation, from sigma = {} on. True for all sigma at every n >= 6.",
-          range_at_3, end_at_5)));
+          inside_at_3, from_end_at_5)));
 }
 
 void add_catmull_clark(Results& results) {

@@ -25,6 +25,8 @@ const Function D = Function::variable(1);
 const Function c = Function::variable(2);
 const Function x = Function::variable(eigenvalue_variable);
 
+const Function bound(18);  // of E
+
 constexpr int far = 11;  // a valence at which no sector is read from both sides
 
 Polynomial monic_quadratic(const ModeEquation& equation) {
@@ -45,35 +47,26 @@ Function value(const Polynomial& p, const Function& first, const Function& secon
   return p.evaluate<Function>(values);
 }
 
-/// What P and Q are made of, over Q(q, D, c).
-struct Comparison {
-  Function P;
-  Function Q;
-  Function P_mirrored;  // P(-x)
-  Function a;
-  Function b;
-  Function alpha;
-  Function E;
-  Function G;
-};
+}  // namespace
 
-Comparison comparison() {
+SpeedComparison speed_comparison() {
   const SpeedQuadratics quadratics = speed_quadratics();
   const Function one(1);
   const Function beta = Function(18) * s * q * (s * s + q) / D;
   const Function gamma = Function(9) * s * s * q * q / D;
-  Comparison result;
+  SpeedComparison result;
   result.P = value(quadratics.invariant, beta, gamma, Function(0), x);
   result.P_mirrored = value(quadratics.invariant, beta, gamma, Function(0), -x);
   result.Q = value(quadratics.turning, Function(0), Function(0), c, x);
   result.E = D * (one - c);
-  result.alpha = Function(9) * q * (one + q) + s * (Function(18) - result.E);
+  result.alpha = Function(9) * q * (one + q) + s * (bound - result.E);
   result.a = s * q * result.alpha / D;
   result.b = Function(9) * s * q * q * q * q * (one + q) / D;
-  result.G = (Function(18) - result.E) * (Function(18) - result.E) -
-             Function(9) * (one + c) * (one + q) * result.alpha;
+  result.G = (bound - result.E) * (bound - result.E) - Function(9) * (one + c) * (one + q) * result.alpha;
   return result;
 }
+
+namespace {
 
 Function denominator_at(int valence) {
   return Function(9) + Function(valence - 4) * (Function(1) + q) * (Function(1) + q);
@@ -86,6 +79,8 @@ Function at(const Function& f, const Function& denominator, const Function& turn
   return f.evaluate<Function>(values);
 }
 
+Interval largest_E() { return Interval(bound.constant()); }
+
 bool positive_inside(const Function& f) { return is_positive(f, open_interval(Rational(0), Rational(1))); }
 
 /// That D stands for what the rules have at valences.
@@ -96,21 +91,6 @@ bool weights_have_this_denominator() {
     return weights.beta * d == Function(18) * s * q * (s * s + q) &&
            weights.gamma * d == Function(9) * s * s * q * q;
   });
-}
-
-/// The identities of the header.
-bool identities_hold(const Comparison& k) {
-  const Function one(1);
-  const Function trace = q * (s * s * (one + c) + Function(2) * q);
-  const std::array<Function, max_parameters> at_quotient{q,           D,           c,           Function(0),
-                                                         Function(0), Function(0), Function(0), k.b / k.a};
-  const Function s4 = s * s * s * s;
-  const Function q3 = q * q * q;
-  return k.Q == x * x - trace * x + q3 * q && k.P - k.Q == k.a * x - k.b &&
-         k.a * q * q - k.b == s * s * q3 * (Function(18) - k.E) / D &&
-         k.a * k.a * k.Q.evaluate<Function>(at_quotient) == s4 * q3 * q3 * k.G / (D * D) &&
-         trace * trace - Function(4) * q3 * q ==
-             q * q * s * s * (one + c) * (s * s * (one + c) + Function(4) * q);
 }
 
 /// D over an interval of q.
@@ -158,41 +138,59 @@ SpeedQuadratics speed_quadratics() {
   return {monic_quadratic(invariant_mode(fan)), monic_quadratic(turning_modes(fan))};
 }
 
+bool identities_hold(const SpeedComparison& k) {
+  const Function one(1);
+  const Function trace = q * (s * s * (one + c) + Function(2) * q);
+  const std::array<Function, max_parameters> at_quotient{q,           D,           c,           Function(0),
+                                                         Function(0), Function(0), Function(0), k.b / k.a};
+  const Function s4 = s * s * s * s;
+  const Function q3 = q * q * q;
+  return k.Q == x * x - trace * x + q3 * q && k.P - k.Q == k.a * x - k.b &&
+         k.a * q * q - k.b == s * s * q3 * (bound - k.E) / D &&
+         k.a * k.a * k.Q.evaluate<Function>(at_quotient) == s4 * q3 * q3 * k.G / (D * D) &&
+         trace * trace - Function(4) * q3 * q ==
+             q * q * s * s * (one + c) * (s * s * (one + c) + Function(4) * q);
+}
+
+bool product_is_small(const SpeedComparison& k, const RationalFunction& denominator) {
+  const Function b = at(k.b, denominator, c);
+  return positive_inside(b) && positive_inside(Function(2) * q * q * q * q - b);
+}
+
+bool mirrored_is_larger(const SpeedComparison& k, const RationalFunction& denominator,
+                        const RationalFunction& turn) {
+  const Function e = (k.P_mirrored - k.Q).derivative(eigenvalue_variable);
+  return k.P_mirrored - k.Q == e * x - k.b && positive_inside(at(e * q * q - k.b, denominator, turn));
+}
+
 bool mode_0_is_compared() {
-  const Comparison k = comparison();
-  if (!weights_have_this_denominator() || !identities_hold(k)) return false;
-  // |C| < q^4 is 0 < b < 2 q^4, where D is smallest: at n = 3.
-  const Function q4 = q * q * q * q;
+  const SpeedComparison k = speed_comparison();
   const Function least = denominator_at(3);
-  if (!positive_inside(at(k.b, least, c)) || !positive_inside(Function(2) * q4 - at(k.b, least, c)))
-    return false;
-  // P(-x) - Q(x) = e x - b is positive from q^2 on if e q^2 > b > 0. For n >= 4, D >= 9 and c >= -1: e q^2 -
-  // b grows with c, and is affine in 1/D with a negative slope.
+  if (!weights_have_this_denominator() || !identities_hold(k) || !product_is_small(k, least)) return false;
+  // e q^2 - b grows with c, and is affine in 1/D with a negative slope.
   const Function e = (k.P_mirrored - k.Q).derivative(eigenvalue_variable);
   const Function excess = e * q * q - k.b;
-  if (!(k.P_mirrored - k.Q == e * x - k.b)) return false;
   const Function slope = excess.derivative(1) * D * D;  // by D: minus the one in 1/D
   const bool affine = slope.derivative(1).is_zero() && excess.derivative(2).derivative(2).is_zero();
   return affine && positive_inside(slope) && positive_inside(excess.derivative(2)) &&
-         positive_inside(at(excess, Function(9), Function(-1))) &&
-         positive_inside(at(excess, least, fraction<Function>(-1, 2)));
+         mirrored_is_larger(k, Function(9), Function(-1)) &&
+         mirrored_is_larger(k, least, fraction<Function>(-1, 2));
 }
 
 bool lambda_is_subdominant() {
   if (!mode_0_is_compared()) return false;
-  const Comparison k = comparison();
+  const SpeedComparison k = speed_comparison();
   // Q(1) = 1 - T + q^4 falls with c; at c = 1 it is s^2 (1 + q^2).
   const Function one(1);
   const std::array<Function, max_parameters> at_one{q,           D,           one,         Function(0),
                                                     Function(0), Function(0), Function(0), one};
   if (!(k.Q.evaluate<Function>(at_one) == s * s * (one + q * q))) return false;
-  // D <= 9 at n = 3 and n = 4, where 1 - c is 3/2 and 1.
-  const Function bound(18);
-  for (const auto& [valence, turn] : {std::pair{3, fraction<Function>(-1, 2)}, std::pair{4, Function(0)}}) {
-    if (!positive_inside(bound - at(k.E, denominator_at(valence), turn))) return false;
+  constexpr int bounded_from = 5;
+  for (int n = 3; n < bounded_from; ++n) {
+    const Interval largest(std::max(9, 4 * n - 7));
+    if (!certainly_less(largest * (Interval(1) - cosine_of_turn<Interval>(1, n)), largest_E())) return false;
   }
-  // D <= 4 n - 7 < 4 n, as q < 1.
-  return certainly_less(Interval(8) * pi() * pi() / Interval(5), Interval(18));
+  return certainly_less(Interval(8) * pi() * pi() / Interval(bounded_from), largest_E());
 }
 
 RealSet speeds_with_mode_2_next(int valence) {
@@ -200,29 +198,27 @@ RealSet speeds_with_mode_2_next(int valence) {
   if (valence < 5 || valence > most) throw std::invalid_argument("valences from 5 to 40");
   const Algebraic turn = cosine_of_turn<Algebraic>(2, valence);
   const Interval enclosed = cosine_of_turn<Interval>(2, valence);
-  const Comparison k = comparison();
+  const SpeedComparison k = speed_comparison();
   const Function d = denominator_at(valence);
   const auto critical = [&](const Function& f) { return eliminated(at(f, d, c), turn); };
-  return speeds_with(
-      {critical(k.alpha), critical(Function(18) - k.E), critical(k.G)}, [&](const Interval& at_q) {
-        const std::array<Interval, 3> values{at_q, denominator_at(valence, at_q), enclosed};
-        const Interval E = k.E.evaluate<Interval>(values);
-        const Interval alpha = k.alpha.evaluate<Interval>(values);
-        const Interval G = k.G.evaluate<Interval>(values);
-        if (certainly_less(E, Interval(18)) || (certainly_positive(alpha) && certainly_negative(G)))
-          return Decision::yes;
-        const bool exceeded =
-            certainly_negative(alpha) ||
-            (certainly_positive(alpha) && certainly_positive(G) && certainly_less(Interval(18), E));
-        return exceeded ? Decision::no : Decision::undecided;
-      });
+  return speeds_with({critical(k.alpha), critical(bound - k.E), critical(k.G)}, [&](const Interval& at_q) {
+    const std::array<Interval, 3> values{at_q, denominator_at(valence, at_q), enclosed};
+    const Interval E = k.E.evaluate<Interval>(values);
+    const Interval alpha = k.alpha.evaluate<Interval>(values);
+    const Interval G = k.G.evaluate<Interval>(values);
+    if (certainly_less(E, largest_E()) || (certainly_positive(alpha) && certainly_negative(G)))
+      return Decision::yes;
+    const bool exceeded = certainly_negative(alpha) || (certainly_positive(alpha) && certainly_positive(G) &&
+                                                        certainly_less(largest_E(), E));
+    return exceeded ? Decision::no : Decision::undecided;
+  });
 }
 
-bool mode_2_is_next_from_6_on() {
+bool mode_2_is_next_from(int first) {
   constexpr int bounded_from = 18;
   if (!mode_0_is_compared()) return false;
-  if (!certainly_less(Interval(32) * pi() * pi() / Interval(bounded_from), Interval(18))) return false;
-  for (int n = 6; n < bounded_from; ++n) {
+  if (!certainly_less(Interval(32) * pi() * pi() / Interval(bounded_from), largest_E())) return false;
+  for (int n = first; n < bounded_from; ++n) {
     const RealSet speeds = speeds_with_mode_2_next(n);
     if (speeds.parts.size() != 1) return false;
     const RealInterval& all = speeds.parts[0];
@@ -247,17 +243,17 @@ bool mode_2_exceeds_square() {
   };
   if (!at_mode(turn, lambda).is_zero()) return false;
   const Function once = v - Function(1);
-  const Function last = sigma * once * once + v * v + Function(2) * v - Function(1);
+  const auto least = [](const Function& y) { return y * y + Function(2) * y - Function(1); };
+  const Function last = sigma * once * once + least(v);
   const Function expected =
       Function(0) - sigma * sigma * rest * rest * rest * once * once * (Function(1) + rest * rest) * last;
   if (!(at_mode(Function(2) * turn * turn - Function(1), lambda * lambda) == expected)) return false;
-  // The last factor is at least this one, where it is not negative; v^2 < 2 (1 - s + s v) keeps v below 2.
-  const Function least = sigma * sigma + Function(2) * sigma - Function(1);  // of v, here named x_0
-  return is_positive(least, closed_interval(Rational(1, 2), Rational(2)));
+  // The last factor is least(v) or more; v^2 < 2 (1 - s + s v) keeps v below 2.
+  return is_positive(least(Function::variable(0)), closed_interval(Rational(1, 2), Rational(2)));
 }
 
 RealSet speeds_with_next_below_square_at_3() {
-  const Comparison k = comparison();
+  const SpeedComparison k = speed_comparison();
   const Function d = denominator_at(3);
   const Function turn = fraction<Function>(-1, 2);
   const Polynomial Q = at(k.Q, d, turn).numerator();

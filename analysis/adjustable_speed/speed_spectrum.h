@@ -35,21 +35,43 @@ struct SpeedQuadratics {
 };
 [[nodiscard]] SpeedQuadratics speed_quadratics();
 
-/// Checks all identities above, and the inequalities that hold for every valence n >= 3 and every speed: |C|
-/// < q^4 and P(-x) > Q(x) from q^2 on.
+/// P and Q with the weights (1), and the others by their definitions above: functions of q = x_0, D = x_1, c
+/// = x_2 and x = x_7.
+struct SpeedComparison {
+  RationalFunction P;
+  RationalFunction P_mirrored;  // P(-x)
+  RationalFunction Q;
+  RationalFunction a;
+  RationalFunction b;
+  RationalFunction alpha;
+  RationalFunction E;
+  RationalFunction G;
+};
+[[nodiscard]] SpeedComparison speed_comparison();
+
+/// The identities above.
+[[nodiscard]] bool identities_hold(const SpeedComparison& comparison);
+/// |C| < q^4, that is 0 < b < 2 q^4, on (0, 1) for a D that depends on q alone.
+[[nodiscard]] bool product_is_small(const SpeedComparison& comparison, const RationalFunction& denominator);
+/// P(-x) - Q(x) = e x - b with e q^2 > b on (0, 1), for a D and a c that depend on q alone.
+[[nodiscard]] bool mirrored_is_larger(const SpeedComparison& comparison, const RationalFunction& denominator,
+                                      const RationalFunction& turn);
+
+/// All of these for every valence n >= 3 and every speed: C at the smallest D, that of n = 3; P(-x) there,
+/// and for n >= 4 at D = 9 and c = -1, because e q^2 - b grows with D and c.
 [[nodiscard]] bool mode_0_is_compared();
 
 /// That lambda is sub-dominant, 1 > lambda > |all others| but for its copy in mode n - 1, for every valence n
-/// >= 3 and every speed: mode_0_is_compared, and E < 18 for c = cos(2 pi/n): D <= 9 for n = 3, 4, so that E
-/// <= 27/2; D <= 4 n - 7 from n = 4 on, and 1 - c < 2 pi^2/n^2, so that E < 8 pi^2/n < 18 from n = 5 on.
+/// >= 3 and every speed: mode_0_is_compared, and E < 18 for c = cos(2 pi/n). D is at most the larger of 9 and
+/// 4 n - 7, and 1 - c < 2 pi^2/n^2, so that E < 8 pi^2/n < 18 from n = 5 on.
 [[nodiscard]] bool lambda_is_subdominant();
 
 /// The speeds at which mode 0 stays below the larger root of (7) for k = 2, valence 5 <= n <= 40: an open set
 /// whose ends are algebraic numbers. Given that, the latter, mu, is the largest modulus after 1 and lambda.
 [[nodiscard]] RealSet speeds_with_mode_2_next(int valence);
-/// That it is so at every speed for all valences n >= 6: E < 18 for c = cos(4 pi/n) from n = 18 on, as E < 32
-/// pi^2/n; the others one by one.
-[[nodiscard]] bool mode_2_is_next_from_6_on();
+/// Whether that is so at every speed for all valences from `first` >= 5 on (proved from 6 on): E < 18 for c =
+/// cos(4 pi/n) from n = 18 on, as E < 32 pi^2/n; the others one by one.
+[[nodiscard]] bool mode_2_is_next_from(int first);
 
 /// mu > lambda^2 for every valence n != 4 with mu = X(cos(4 pi/n)), and mu = lambda^2 for n = 4: in the
 /// variables s, v with lambda = q W, W = q + s v, 1 + cos(2 pi/n) = v^2/W (v > 0; 1 + c >= 1/2 makes v >=

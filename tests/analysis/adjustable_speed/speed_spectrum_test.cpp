@@ -67,6 +67,31 @@ TEST(SpeedSpectrum, WholeMatrixHasRowsOfSumOneAndTheLimitAsLeftEigenvector) {
   }
 }
 
+TEST(SpeedSpectrum, EachIdentityIsAskedFor) {
+  const SpeedComparison right = speed_comparison();
+  ASSERT_TRUE(identities_hold(right));
+  for (Function SpeedComparison::* part : {&SpeedComparison::P, &SpeedComparison::Q, &SpeedComparison::a,
+                                           &SpeedComparison::b, &SpeedComparison::E, &SpeedComparison::G}) {
+    SpeedComparison wrong = right;
+    wrong.*part = wrong.*part + Function::variable(0);
+    EXPECT_FALSE(identities_hold(wrong));
+  }
+}
+
+TEST(SpeedSpectrum, InequalitiesFailWhereTheyShould) {
+  const SpeedComparison comparison = speed_comparison();
+  const Function half = fraction<Function>(1, 2);
+  // C = q^4 (1 - 9 (1 - q^2)/D): |C| < q^4 for D = 9/2 exactly, not for less.
+  EXPECT_TRUE(product_is_small(comparison, Function(9) * half));
+  EXPECT_FALSE(product_is_small(comparison, Function(4)));
+  EXPECT_FALSE(product_is_small(comparison, Function(-9)));
+  EXPECT_TRUE(mirrored_is_larger(comparison, Function(9), Function(-1)));
+  EXPECT_FALSE(mirrored_is_larger(comparison, Function(2), Function(-1)));
+  SpeedComparison wrong = comparison;
+  wrong.b = wrong.b * Function(2);
+  EXPECT_FALSE(mirrored_is_larger(wrong, Function(9), Function(-1)));
+}
+
 TEST(SpeedSpectrum, LambdaIsSubdominantByTheArgumentForAllValences) {
   EXPECT_TRUE(mode_0_is_compared());
   EXPECT_TRUE(lambda_is_subdominant());
@@ -95,7 +120,8 @@ TEST(SpeedSpectrum, ModeTwoIsNextBelowTheEndAtValenceFive) {
 }
 
 TEST(SpeedSpectrum, ModeTwoIsNextFromValenceSixOn) {
-  EXPECT_TRUE(mode_2_is_next_from_6_on());
+  EXPECT_TRUE(mode_2_is_next_from(6));
+  EXPECT_FALSE(mode_2_is_next_from(5));
   for (const int n : {6, 7, 9, 17, 18, 25}) {
     const RealSet speeds = speeds_with_mode_2_next(n);
     ASSERT_EQ(speeds.parts.size(), 1);

@@ -94,8 +94,11 @@ TEST(Eigen, AdjustableSpeedAtExtraordinaryVertices) {
   EXPECT_EQ(record["characteristic_map"]["regular"], true);
   EXPECT_EQ(record["characteristic_map"]["injective"], true);
   EXPECT_EQ(record["characteristic_map"]["rigour"], "certified");
-  const Json whole = eigen("adjustable-speed:sigma=s", "3", {"--over", "s=1/100..99/100"})[0];
+  const Json whole = eigen("adjustable-speed:sigma=s", "3", {"--over", "s=1/3..2/3"})[0];
   EXPECT_EQ(whole["condition"], true);
+  // Decided cells are rounded inwards.
+  EXPECT_EQ(whole["cells"][0]["lower"], "0.333333333333333334");
+  EXPECT_EQ(whole["cells"][0]["upper"], "0.666666666666666666");
 }
 
 TEST(Eigen, SpeedsNearTheEndsKeepTheirDigits) {
