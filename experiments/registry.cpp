@@ -16,6 +16,7 @@
 #include "experiments/named_smoothness.h"
 #include "experiments/polygon_curves.h"
 #include "experiments/polyloop_curves.h"
+#include "experiments/polyloop_smoothing.h"
 #include "experiments/popping.h"
 #include "experiments/ringing.h"
 #include "experiments/smoothness.h"
@@ -73,6 +74,12 @@ std::span<const Experiment> experiments() {
                  mesh_figure_heads, run_mesh_figures},
       Experiment{"polyloop-local", "Local estimates on polyloops (polyloops 1)", polyloop_local_heads,
                  run_polyloop_local},
+      Experiment{"polyloop-smoothing", "Smoothing of polyloops (polyloops 2)", polyloop_smoothing_heads,
+                 run_polyloop_smoothing},
+      Experiment{"polyloop-operators", "Operators that make schemes (polyloops 2, 3.1)",
+                 polyloop_operator_heads, run_polyloop_operators},
+      Experiment{"polyloop-filters", "Figures of smoothing operators (polyloops 2)", polyloop_filter_heads,
+                 run_polyloop_filters},
       Experiment{"polyloop-curves", "Curves of polyloops compared (polyloops 3)", polyloop_curve_heads,
                  run_polyloop_curves},
       Experiment{"polyloop-figures", "Figures of polyloops (polyloops 3)", polyloop_figure_heads,

@@ -56,6 +56,7 @@ struct CommandLine {
   RingsOptions rings_options;
   BezierOptions bezier_options;
   MeasureOptions measure_options;
+  SmoothOptions smooth_options;
   ListOptions list_options;
 
   CommandLine() {
@@ -74,6 +75,7 @@ struct CommandLine {
     add_rings();
     add_bezier();
     add_measure();
+    add_smooth();
     add_list();
   }
 
@@ -372,6 +374,39 @@ struct CommandLine {
                             "           subdivlab measure square.csv --local\n\n") +
                 exit_codes);
     verb.callback([this] { action = [this] { return measure(measure_options); }; });
+  }
+
+  void add_smooth() {
+    auto& options = smooth_options;
+    CLI::App& verb = *app.add_subcommand("smooth", "Smooth a polygon by a sequence of operators");
+    verb.add_option("INPUT", options.input, "The points: .csv (x,y[,z] a line) or .obj")->required();
+    verb.add_option("--operators", options.operators,
+                    "refine, split, dual, tuck(t), untuck, tweak(old, new), J(s), separated by ;, {..}^N to "
+                    "repeat")
+        ->type_name("SEQUENCE")
+        ->required();
+    constexpr long most = 1000000;
+    verb.add_option("--repeat", options.repeat, "How often to apply the sequence")
+        ->type_name("N")
+        ->check(CLI::Range(1L, most))
+        ->capture_default_str();
+    verb.add_option("--open", options.open,
+                    "An open polygon: vertices whose rules reach beyond its ends are dropped, or keep their "
+                    "places")
+        ->type_name("ENDS")
+        ->check(CLI::IsMember({"drop", "keep"}));
+    verb.add_option("--json", options.json, "Write a machine-readable report; numbers are strings")
+        ->type_name("REPORT");
+    verb.add_option("--out,-o", options.out, "A .csv, .obj or .svg file; - for standard output")
+        ->type_name("OUTPUT")
+        ->required();
+    verb.footer(
+        std::string(
+            "Examples:  subdivlab smooth noisy.csv --operators 'tuck(1/2); tuck(-53/100)' --repeat 20 "
+            "-o smooth.svg\n"
+            "           subdivlab smooth path.csv --open keep --operators 'refine; dual^2' -o -\n\n") +
+        exit_codes);
+    verb.callback([this] { action = [this] { return smooth(smooth_options); }; });
   }
 
   void add_list() {

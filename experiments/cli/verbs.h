@@ -123,6 +123,17 @@ struct MeasureOptions {
 /// Prints length, area, normal jerk and distances of polygons.
 [[nodiscard]] int measure(const MeasureOptions& options);
 
+struct SmoothOptions {
+  std::string input;
+  std::string operators;  // "tuck(1/2); tuck(-53/100)"
+  long repeat = 1;
+  std::string open;  // drop or keep; empty for closed
+  std::string json;  // a file for the report, - for standard output; may be empty
+  std::string out;   // .csv, .obj, .svg or - for standard output
+};
+/// Applies a sequence of polyloop operators to a polygon, writes it, and prints what was kept of it.
+[[nodiscard]] int smooth(const SmoothOptions& options);
+
 struct ListOptions {
   std::string what;  // schemes, claims, objectives, or empty for all three
   bool json = false;
