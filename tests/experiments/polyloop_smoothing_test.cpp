@@ -3,6 +3,7 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <random>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -78,6 +79,19 @@ TEST(PolyloopSmoothing, SeriesOfTransferFunctionsHasTheClosedForm) {
     EXPECT_NEAR(std::stod(row[4]), (1 - x / 2) * (1 + 0.53 * x), 1e-13);
     EXPECT_NEAR(std::stod(row[5]), std::pow((1 - x / 2) * (1 + 0.53 * x), 20), 1e-13);
     EXPECT_NEAR(std::stod(row[6]), 1 - 2 * x * x / 3, 1e-13);
+  }
+}
+
+TEST(PolyloopSmoothing, TheNoisyPolyloopFollowsItsRule) {  // data/README.md
+  std::mt19937 random(20060101);
+  const auto points = polygon_from_data("polyloop-noisy.csv");
+  for (std::size_t j = 0; j < points.size(); ++j) {
+    const double a = 2 * std::numbers::pi * static_cast<double>(j) / 96;
+    const double r = 1000 * (1 + std::cos(3 * a) / 4 + 0.12 * std::sin(2 * a));
+    const long dx = static_cast<long>(random() % 121) - 60;
+    const long dy = static_cast<long>(random() % 121) - 60;
+    EXPECT_EQ(points[j].first, Rational(std::lround(r * std::cos(a)) + dx)) << j;
+    EXPECT_EQ(points[j].second, Rational(std::lround(r * std::sin(a)) + dy)) << j;
   }
 }
 
