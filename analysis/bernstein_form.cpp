@@ -41,6 +41,21 @@ BernsteinForm::BernsteinForm(const Polynomial& f, const ParameterBox& cell) {
   }
 }
 
+bool BernsteinForm::has_sign(int sign, const std::array<bool, 4>& free) const {
+  std::vector<bool> corner(c_.size(), false);
+  std::vector<bool> fixed(c_.size(), false);
+  for (std::size_t k = 0; k < free.size(); ++k) {
+    const std::size_t slot = corner_slot(k >= 2, k % 2 != 0);
+    corner[slot] = true;
+    fixed[slot] = fixed[slot] || !free.at(k);
+  }
+  for (std::size_t k = 0; k < c_.size(); ++k) {
+    const int own = c_[k].sign();
+    if (own != sign && !(own == 0 && corner[k] && !fixed[k])) return false;
+  }
+  return true;  // not all are 0, as f is not
+}
+
 std::array<BernsteinForm, 2> BernsteinForm::halves(bool first) const {
   std::array<BernsteinForm, 2> result{*this, *this};
   BernsteinForm& low = result[0];

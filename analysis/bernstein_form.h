@@ -21,6 +21,10 @@ class BernsteinForm {
   [[nodiscard]] std::size_t corner_slot(bool upper0, bool upper1) const {
     return (upper0 ? degree_[0] : 0) * (degree_[1] + 1) + (upper1 ? degree_[1] : 0);
   }
+  /// Every coefficient has this sign, 1 or -1, or is a value 0 at a corner that is free; free[2 k + l] is
+  /// that of corner_slot(k, l). In a direction of degree 0 a coefficient is the value at several corners,
+  /// which must all be free. For f != 0.
+  [[nodiscard]] bool has_sign(int sign, const std::array<bool, 4>& free = {}) const;
   /// On the halves of the cell in x_0, or in x_1 (de Casteljau).
   [[nodiscard]] std::array<BernsteinForm, 2> halves(bool first) const;
 

@@ -52,23 +52,15 @@ struct Cell {
   }
 };
 
-/// All coefficients have this sign, but for values 0 at corners outside the domain.
+/// All coefficients have this sign, but for values 0 at corners outside the domain. For an irreducible
+/// polynomial that has a value of this sign in the domain: where all cells with points of the domain do, so
+/// has every point of it (sign_on_domain.h).
 bool has_sign(const Cell& cell, const PlaneDomain& domain, int sign) {
-  const BernsteinForm& form = cell.function.front();
-  const std::vector<Rational>& c = form.coefficients();
-  std::vector<bool> may_vanish(c.size(), false);
-  for (const bool upper0 : {false, true}) {
-    for (const bool upper1 : {false, true}) {
-      may_vanish[form.corner_slot(upper0, upper1)] = !domain.contains(
-          (upper0 ? cell.box.upper : cell.box.lower)[0], (upper1 ? cell.box.upper : cell.box.lower)[1]);
-    }
-  }
-  for (std::size_t k = 0; k < c.size(); ++k) {
-    const int own = c[k].sign();
-    if (own != sign && !(own == 0 && may_vanish[k])) return false;
-  }
-  // All zero would be no sign; a polynomial that is not 0 has a coefficient.
-  return std::ranges::any_of(c, [](const Rational& x) { return x.sign() != 0; });
+  std::array<bool, 4> outside{};
+  for (std::size_t k = 0; k < outside.size(); ++k)
+    outside.at(k) = !domain.contains((k >= 2 ? cell.box.upper : cell.box.lower)[0],
+                                     (k % 2 != 0 ? cell.box.upper : cell.box.lower)[1]);
+  return cell.function.front().has_sign(sign, outside);
 }
 
 Cell whole(const PlaneDomain& domain) {
@@ -95,7 +87,8 @@ DomainSign of_sign(int sign) {
   return {sign > 0 ? DomainSign::Kind::positive : DomainSign::Kind::negative, Status::closed, 0, {}};
 }
 
-/// Proves the sign that f has at a point of the domain on all of it, or finds a point with another one.
+/// Proves the sign that an irreducible f has at a point of the domain on all of it, or finds a point with
+/// another one.
 DomainSign prove(const Polynomial& f, const PlaneDomain& domain, const Point& inside, long cells, int depth) {
   const int sign = value_at(f, inside).sign();
   if (sign == 0) return {DomainSign::Kind::not_strict, Status::closed, 0, {inside}};

@@ -41,6 +41,15 @@ struct DomainSign {
 /// cell. A coefficient at a corner of the cell, where it is the value, may be 0 if the corner is not in the
 /// domain. Cells without points of the domain are dropped: there a polynomial that should be positive has
 /// only coefficients <= 0. Factors are remembered, so that one object should be asked for many functions.
+///
+/// Zeros at corners prove no wrong sign, because factors are irreducible over Q. A cell all of whose
+/// coefficients have one strict sign, but for zeros at corners outside the domain, holds no zero but those
+/// corners, unless the two ends of an edge are all the coefficients that the edge has and both 0: then the
+/// factor vanishes on the edge's whole line, x_k = r with a rational r. So it does where one coefficient
+/// stands for two corners, as the factor uses one variable alone. But an irreducible polynomial that vanishes
+/// there is a multiple of x_k - r and changes sign across the line: if a point of the domain, which is open,
+/// lay on it, so would points of both signs lie beside it, in cells that are not dropped, and the cell with
+/// the wrong sign would not pass. Of reducible polynomials, as (x_0 - r)^2, this would be false.
 class DomainSigns {
  public:
   /// A box with lower < upper, of dimension 2, and a non-empty domain (std::invalid_argument for another

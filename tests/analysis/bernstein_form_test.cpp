@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 
 namespace subdiv {
 namespace {
@@ -54,6 +55,38 @@ TEST(BernsteinForm, CornersAreValues) {
       EXPECT_EQ(form.coefficients()[form.corner_slot(right, up)], f.evaluate<Rational>(at));
     }
   }
+}
+
+TEST(BernsteinForm, ZerosAreAllowedAtFreeCornersAlone) {
+  const ParameterBox cell{{Rational(0), Rational(0)}, {Rational(1), Rational(1)}};
+  const auto signs = [&](const Polynomial& f, const std::array<bool, 4>& free) {
+    return BernsteinForm(f, cell).has_sign(1, free);
+  };
+  const std::array<bool, 4> all{true, true, true, true};
+  for (std::size_t zero = 0; zero < 4; ++zero) {
+    // 1 at three corners, 0 at one.
+    const Polynomial far_x = zero >= 2 ? x : Polynomial(1) - x;
+    const Polynomial far_y = zero % 2 != 0 ? y : Polynomial(1) - y;
+    const Polynomial f = Polynomial(1) - far_x * far_y;
+    for (std::size_t free = 0; free < 4; ++free) {
+      std::array<bool, 4> one{};
+      one.at(free) = true;
+      EXPECT_EQ(signs(f, one), free == zero) << zero << ' ' << free;
+    }
+    EXPECT_TRUE(signs(f + Polynomial(1), {}));
+    EXPECT_FALSE(signs(Polynomial(-1) * f, all));
+    EXPECT_TRUE(BernsteinForm(Polynomial(-1) * f, cell).has_sign(-1, all));
+  }
+  // One coefficient for two corners: both have to be free.
+  EXPECT_FALSE(signs(x, {false, true, false, false}));
+  EXPECT_FALSE(signs(x, {true, false, false, false}));
+  EXPECT_TRUE(signs(x, {true, true, false, false}));
+  EXPECT_FALSE(signs(y, {true, false, false, false}));
+  EXPECT_FALSE(signs(y, {false, false, true, false}));
+  EXPECT_TRUE(signs(y, {true, false, true, false}));
+  // A coefficient between the corners may not be 0: those of (x - 1/2)^2 + 1/4 are 1/2, 0, 1/2.
+  const Polynomial half(Rational(1, 2));
+  EXPECT_FALSE(signs((x - half) * (x - half) + Polynomial(Rational(1, 4)), all));
 }
 
 TEST(BernsteinForm, HalvesAreTheFormsOnHalves) {

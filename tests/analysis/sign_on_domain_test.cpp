@@ -41,6 +41,18 @@ TEST(SignOnDomain, ProvesStrictSigns) {
   EXPECT_EQ(sign_of(Polynomial(-3), square()), Kind::negative);
 }
 
+TEST(SignOnDomain, EachSideOfTheBoxHasItsSign) {
+  const Polynomial one(1);
+  EXPECT_EQ(sign_of(x(), square()), Kind::positive);
+  EXPECT_EQ(sign_of(y(), square()), Kind::positive);
+  EXPECT_EQ(sign_of(one - x(), square()), Kind::positive);
+  EXPECT_EQ(sign_of(one - y(), square()), Kind::positive);
+  EXPECT_EQ(sign_of(x() - one, square()), Kind::negative);
+  EXPECT_EQ(sign_of(Polynomial(-2) * y(), square()), Kind::negative);
+  EXPECT_EQ(sign_of(x() + one, disc()), Kind::positive);
+  EXPECT_EQ(sign_of(y() - one, disc()), Kind::negative);
+}
+
 TEST(SignOnDomain, FactorsOfTheDomainHaveTheirSign) {
   const Polynomial one(1);
   EXPECT_EQ(sign_of(x() * (one - x()) * (y() - one), square()), Kind::negative);
@@ -53,6 +65,20 @@ TEST(SignOnDomain, FactorsOfTheDomainHaveTheirSign) {
 TEST(SignOnDomain, ValuesZeroAtCornersOutsideTheDomainAreAllowed) {
   EXPECT_EQ(sign_of(x() + y(), square()), Kind::positive);
   EXPECT_EQ(sign_of(Polynomial(2) - x() - y() * y(), square()), Kind::positive);
+}
+
+TEST(SignOnDomain, ValuesZeroAtCornersInsideTheDomainAreNot) {
+  // 0 at (1/2, 1/4) alone, which is a corner of cells, and all other coefficients there are positive.
+  const Polynomial a = x() - Polynomial(Rational(1, 2));
+  const Polynomial b = y() - Polynomial(Rational(1, 4));
+  const DomainSign found = DomainSigns(square()).sign(a * a + b * b);
+  EXPECT_EQ(found.kind, Kind::not_strict);
+  const std::vector<std::vector<Rational>> zero{{Rational(1, 2), Rational(1, 4)}};
+  EXPECT_EQ(found.witnesses, zero);
+  // A line of zeros whose ends on the box are outside the domain; a rational zero in one variable.
+  EXPECT_EQ(sign_of(x(), disc()), Kind::not_strict);
+  EXPECT_EQ(sign_of(y() * y() - Polynomial(Rational(1, 4)), disc()), Kind::not_strict);
+  EXPECT_EQ(sign_of(x() - y(), disc()), Kind::not_strict);
 }
 
 TEST(SignOnDomain, FindsSignChangesAndZeros) {
@@ -98,6 +124,14 @@ TEST(SignOnDomain, BudgetEndsUndecided) {
   EXPECT_EQ(found.kind, Kind::undecided);
   EXPECT_EQ(found.status, Status::out_of_time);
   EXPECT_EQ(DomainSigns(square(), 1000, 1).sign(f).status, Status::out_of_depth);
+  // The depth is that of both directions: x_0 is halved first, and here x_1 has to be.
+  const Polynomial b = y() - Polynomial(Rational(1, 2));
+  EXPECT_EQ(DomainSigns(square(), 1000, 1).sign(b * b + Polynomial(Rational(1, 8))).kind, Kind::positive);
+  // So it is for a point of the domain: here the first is the middle of a quarter.
+  const Polynomial quarter(Rational(1, 4));
+  const Polynomial near =
+      Polynomial(Rational(1, 16)) - (x() - quarter) * (x() - quarter) - (y() - quarter) * (y() - quarter);
+  EXPECT_EQ(DomainSigns(square({near}), 1000, 1).sign(x() + y()).kind, Kind::positive);
 }
 
 TEST(SignOnDomain, RefusesWhatItCannotAnswer) {
