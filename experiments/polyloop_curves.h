@@ -20,4 +20,8 @@ namespace subdiv {
 [[nodiscard]] std::span<const ClaimHead> polyloop_figure_heads();
 [[nodiscard]] Results run_polyloop_figures();
 
+/// The rows of polyloops 3.1 that build curves step by step from refine, dual and tuck.
+[[nodiscard]] std::span<const ClaimHead> polyloop_construction_heads();
+[[nodiscard]] Results run_polyloop_construction();
+
 }  // namespace subdiv

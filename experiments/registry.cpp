@@ -82,6 +82,8 @@ std::span<const Experiment> experiments() {
                  run_polyloop_filters},
       Experiment{"polyloop-curves", "Curves of polyloops compared (polyloops 3)", polyloop_curve_heads,
                  run_polyloop_curves},
+      Experiment{"polyloop-construction", "Curves of polyloops built step by step (polyloops 3.1)",
+                 polyloop_construction_heads, run_polyloop_construction},
       Experiment{"polyloop-figures", "Figures of polyloops (polyloops 3)", polyloop_figure_heads,
                  run_polyloop_figures},
       Experiment{"speed-rules", "Rules and conversions of adjustable speed (speed II, III, IV, V)",

@@ -9,7 +9,9 @@
 #include "analysis/hausdorff_distance.h"
 #include "analysis/polyloop/local_geometry.h"
 #include "experiments/polyloop_shapes.h"
+#include "schemes/bspline.h"
 #include "schemes/evaluate/level_by_level.h"
+#include "schemes/four_point.h"
 #include "schemes/jspline.h"
 #include "tests/experiments/find_claim.h"
 
@@ -406,6 +408,22 @@ TEST(PolyloopFigures, NumbersBySequences) {
   const Loop crossing = loop_of(stored_polyloop("crossing"));
   EXPECT_NEAR(value_of(figures().claims, "figure.polyloops.superposed"),
               area_of(refined_by(crossing, times(5, 8))) / area_of(refined_by(crossing, times(5, 0))), 1e-11);
+}
+
+/// Areas by the masks of B-splines and of the four-point scheme, level by level.
+TEST(PolyloopFigures, ConstructionsByMasks) {
+  const Results results = run_polyloop_construction();
+  ASSERT_EQ(results.claims.size(), polyloop_construction_heads().size());
+  const auto ratio = [](const Mask<double>& mask, int levels) {
+    const Polyline square = in_double(stored_polyloop("square"));
+    return signed_area(refine(stationary("", mask), square, levels)) / signed_area(square);
+  };
+  EXPECT_NEAR(value_of(results.claims, "figure.polyloops.construction.quadratic"),
+              ratio(bspline<double>(2), 4), 1e-14);
+  EXPECT_NEAR(value_of(results.claims, "figure.polyloops.construction.cubic"), ratio(bspline<double>(3), 3),
+              1e-14);
+  EXPECT_NEAR(value_of(results.claims, "figure.polyloops.construction.four-point"),
+              ratio(four_point(1.0 / 16), 2), 1e-14);
 }
 
 /// The curves of the star as drawn: the key's columns hold the closed polygon of level 5.
