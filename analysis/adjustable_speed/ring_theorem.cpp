@@ -31,22 +31,27 @@ PlaneDomain ring_shapes() {
           {shape.sigma, below, Polynomial(5) * square - Polynomial(2) * shape.width()}};
 }
 
+RingShape<RationalFunction> ring_coordinates() { return shape_in_box<RationalFunction>(); }
+
 RingTheorem prove_ring_theorem(long cells) {
-  using Function = RationalFunction;
+  const RingShape<RationalFunction> shape = ring_coordinates();
+  return prove_ring(characteristic_ring(shape), shape, ring_shapes(), cells);
+}
+
+RingTheorem prove_ring(const CharacteristicRing<RationalFunction>& ring,
+                       const RingShape<RationalFunction>& shape, const PlaneDomain& domain, long cells) {
   RingTheorem theorem;
-  const RingShape<Function> shape = shape_in_box<Function>();
-  const CharacteristicRing<Function> ring = characteristic_ring(shape);
   for (const auto& [name, difference] : ring_joins(ring, shape)) {
     ++theorem.identities;
     note(theorem, difference[0].is_zero() && difference[1].is_zero(), name);
   }
-  const RingPoint<Function>& end = ring.border[3];
+  const RingPoint<RationalFunction>& end = ring.border[3];
   note(theorem, ring.border[0][1].is_zero(), "the border begins on the bisectrix");
   note(theorem, (end[0] + end[1]).is_zero(), "the border ends on the spoke");
   theorem.identities += 2;
   bool fails = !theorem.open.empty();  // identities are decided
 
-  DomainSigns signs(ring_shapes(), cells);
+  DomainSigns signs(domain, cells);
   for (const auto& [name, sign, value] : ring_conditions(ring.sector)) {
     ++theorem.conditions;
     if (value.is_zero()) {

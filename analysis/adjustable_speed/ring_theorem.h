@@ -3,8 +3,10 @@
 #include <string>
 #include <vector>
 
+#include "analysis/adjustable_speed/characteristic_ring.h"
 #include "analysis/decision.h"
 #include "analysis/sign_on_domain.h"
+#include "schemes/algebra/rational_function.h"
 
 namespace subdiv {
 
@@ -25,13 +27,23 @@ struct RingTheorem {
   int conditions = 0;
   int identities = 0;
   long cells = 0;                 // of the box, over all factors
-  std::vector<std::string> open;  // what is not proved
+  std::vector<std::string> open;  // names of what is not proved, wrong or not
 };
 
 /// Some 0.2 s. cells: the budget of each factor.
 [[nodiscard]] RingTheorem prove_ring_theorem(long cells = 1000);
 
-/// sigma = 1 - x_0 x_1, v = 2 - x_0, and all such shapes.
+/// The same of any ring over Q(x_0, x_1), with the sizes sigma and the lambda of a shape, on a domain. A
+/// wrong one gives no, or stays open: prove_ring_theorem is of the ring in ring_coordinates() on
+/// ring_shapes().
+[[nodiscard]] RingTheorem prove_ring(const CharacteristicRing<RationalFunction>& ring,
+                                     const RingShape<RationalFunction>& shape, const PlaneDomain& domain,
+                                     long cells);
+
+/// sigma = 1 - x_0 x_1, v = 2 - x_0.
+[[nodiscard]] RingShape<RationalFunction> ring_coordinates();
+
+/// All shapes of the theorem in these coordinates.
 [[nodiscard]] PlaneDomain ring_shapes();
 
 }  // namespace subdiv

@@ -1,5 +1,10 @@
 #include "analysis/adjustable_speed/ring_theorem.h"
 
+#include <algorithm>
+#include <array>
+#include <set>
+#include <string>
+
 #include <gtest/gtest.h>
 
 #include "analysis/adjustable_speed/characteristic_ring_joins.h"
@@ -10,11 +15,6 @@ namespace subdiv {
 namespace {
 
 using Function = RationalFunction;
-
-RingShape<Function> shape_in_box() {
-  const Function x0 = Function::variable(0);
-  return {Function(1) - x0 * Function::variable(1), Function(2) - x0};
-}
 
 TEST(RingTheorem, HoldsForAllSpeedsAndValences) {
   const RingTheorem theorem = prove_ring_theorem();
@@ -43,7 +43,7 @@ TEST(RingTheorem, ShapesOfAllValencesLieInItsDomain) {
 
 TEST(RingTheorem, ItsConditionsAreTheRingsOwn) {
   // The functions that are proved, evaluated, against the ring computed in double.
-  const auto functions = ring_conditions(characteristic_ring(shape_in_box()).sector);
+  const auto functions = ring_conditions(characteristic_ring(ring_coordinates()).sector);
   for (const int n : {3, 7, 50}) {
     for (const double sigma : {0.2, 0.8}) {
       const RingShape<double> shape = ring_shape(sigma, n);
@@ -56,29 +56,112 @@ TEST(RingTheorem, ItsConditionsAreTheRingsOwn) {
   }
 }
 
-TEST(RingTheorem, WrongDomainsAndWrongRingsAreNotProved) {
-  const auto proved = [](const PlaneDomain& domain, const RingSector<RingPoint<Function>>& sector) {
-    DomainSigns signs(domain, 200);
-    int count = 0;
-    for (const auto& condition : ring_conditions(sector)) {
-      const auto wanted = condition.sign > 0 ? DomainSign::Kind::positive : DomainSign::Kind::negative;
-      count += !condition.value.is_zero() && signs.sign(condition.value).kind == wanted ? 1 : 0;
+struct Case {
+  RingShape<Function> shape = ring_coordinates();
+  CharacteristicRing<Function> ring = characteristic_ring(shape);
+  PlaneDomain domain = ring_shapes();
+
+  [[nodiscard]] RingTheorem proved() const { return prove_ring(ring, shape, domain, 1000); }
+};
+bool is_open(const RingTheorem& theorem, const std::string& name) {
+  return std::ranges::find(theorem.open, name) != theorem.open.end();
+}
+
+TEST(RingTheorem, TheRightRingIsProved) {
+  const RingTheorem theorem = Case().proved();
+  EXPECT_EQ(theorem.holds, Decision::yes);
+  EXPECT_EQ(theorem.identities, 70);
+}
+
+TEST(RingTheorem, EveryConditionIsAsked) {
+  // A coefficient elsewhere: conditions that read it fail by name, and beside the joins none but those.
+  const Case right;
+  const auto conditions = ring_conditions(right.ring.sector);
+  std::set<std::string> seen;
+  for (const std::size_t slot : {0U, 5U, 10U, 15U}) {
+    Case wrong = right;
+    RingPoint<Function>& point = wrong.ring.sector.corner[slot];
+    point = {Function(-3) * point[0], Function(-3) * point[1] - Function(3)};
+    const RingTheorem theorem = wrong.proved();
+    EXPECT_EQ(theorem.holds, Decision::no);
+    const std::string label = "b(" + std::to_string(slot / 4) + "," + std::to_string(slot % 4) + ")";
+    for (const std::string& name : theorem.open) {
+      if (!name.starts_with("corner x b") && !name.starts_with("corner y b")) continue;
+      EXPECT_NE(name.find(label), std::string::npos) << name;
+      seen.insert(name);
     }
-    return count;
-  };
-  const RingShape<Function> shape = shape_in_box();
-  const CharacteristicRing<Function> ring = characteristic_ring(shape);
-  const PlaneDomain right = ring_shapes();
-  EXPECT_EQ(proved(right, ring.sector), 97);
-  // Beyond c = 1 the sector is turned over.
-  PlaneDomain wider = right;
-  wider.positive.erase(wider.positive.begin() + 1);
-  EXPECT_LT(proved(wider, ring.sector), 97);
-  // An inner border elsewhere: lambda^2 times the border's mirror image.
-  const Function wrong = shape.eigenvalue() * shape.eigenvalue();
-  BezierPatch<RingPoint<Function>> inner = ring.border;
-  for (auto& point : inner) point = {wrong * point[0], Function(0) - wrong * point[1]};
-  EXPECT_LT(proved(right, ring_sector(ring.border, inner, shape.sigma)), 97);
+  }
+  EXPECT_GE(seen.size(), 8U);
+}
+
+TEST(RingTheorem, AMirroredPatchIsRefused) {
+  Case mirrored;
+  for (auto& point : mirrored.ring.sector.corner) point[1] = Function(0) - point[1];
+  const RingTheorem theorem = mirrored.proved();
+  EXPECT_EQ(theorem.holds, Decision::no);
+  for (const auto& condition : ring_conditions(mirrored.ring.sector)) {
+    const bool turned = condition.name.starts_with("corner y");
+    EXPECT_EQ(is_open(theorem, condition.name), turned) << condition.name;
+  }
+}
+
+TEST(RingTheorem, AConditionThatVanishesIsRefused) {
+  Case folded;
+  folded.ring.sector.corner[4] = folded.ring.sector.corner[0];
+  const RingTheorem theorem = folded.proved();
+  EXPECT_EQ(theorem.holds, Decision::no);
+  EXPECT_TRUE(is_open(theorem, "corner x b(1,0)-b(0,0)"));
+  EXPECT_TRUE(is_open(theorem, "corner y b(1,0)-b(0,0)"));
+}
+
+TEST(RingTheorem, AWrongEigenvalueIsRefused) {
+  Case wrong;
+  const Function square = wrong.shape.eigenvalue() * wrong.shape.eigenvalue();
+  BezierPatch<RingPoint<Function>> inner = wrong.ring.border;
+  for (auto& point : inner) point = {square * point[0], square * point[1]};
+  wrong.ring.sector = ring_sector(wrong.ring.border, inner, wrong.shape.sigma);
+  const RingTheorem theorem = wrong.proved();
+  EXPECT_EQ(theorem.holds, Decision::no);
+  EXPECT_TRUE(is_open(theorem, "side and next ring 0 order 0"));
+}
+
+TEST(RingTheorem, EachCoordinateOfAJoinCounts) {
+  for (const std::size_t k : {0U, 1U}) {
+    Case kinked;  // one coefficient of the side, next to the corner patch
+    kinked.ring.sector.first_side[4][k] *= Function(2);
+    const RingTheorem theorem = kinked.proved();
+    EXPECT_EQ(theorem.holds, Decision::no) << k;
+    EXPECT_TRUE(is_open(theorem, "corner and side 1 order 0")) << k;
+  }
+}
+
+TEST(RingTheorem, EndsOfTheBorderAreOnTheirLines) {
+  const std::string begins = "the border begins on the bisectrix";
+  const std::string ends = "the border ends on the spoke";
+  Case begun;
+  begun.ring.border[0][1] += Function(1);
+  const RingTheorem not_begun = begun.proved();
+  EXPECT_EQ(not_begun.holds, Decision::no);
+  EXPECT_TRUE(is_open(not_begun, begins));
+  EXPECT_FALSE(is_open(not_begun, ends));
+  Case ended;
+  ended.ring.border[3][0] += Function(1);
+  const RingTheorem not_ended = ended.proved();
+  EXPECT_EQ(not_ended.holds, Decision::no);
+  EXPECT_TRUE(is_open(not_ended, ends));
+  EXPECT_FALSE(is_open(not_ended, begins));
+}
+
+TEST(RingTheorem, BeyondItsDomainSignsFailByName) {
+  // Beyond c = 1 the sector is turned over; the joins are identities there too.
+  Case wider;
+  wider.domain.positive.erase(wider.domain.positive.begin() + 1);
+  const RingTheorem theorem = wider.proved();
+  EXPECT_EQ(theorem.holds, Decision::no);
+  EXPECT_FALSE(theorem.open.empty());
+  std::set<std::string> conditions;
+  for (const auto& condition : ring_conditions(wider.ring.sector)) conditions.insert(condition.name);
+  for (const std::string& name : theorem.open) EXPECT_TRUE(conditions.contains(name)) << name;
 }
 
 TEST(RingJoins, SeeWrongEigenvaluesAndWrongNets) {
