@@ -80,14 +80,15 @@ void add_transfer(Results& results) {
     }
     series.rows.push_back(std::move(row));
   }
-  Figure figure{"polyloops-transfer",
-                "Fraction of each frequency that smoothing operators keep",
-                "ω/π",
-                "transfer function",
-                {},
-                "set xrange [0:1]; set yrange [-1.8:1.8]; set key outside right; set arrow from 0,1 to 1,1 "
-                "nohead dt 2; "
-                "set arrow from 0,-1 to 1,-1 nohead dt 2"};
+  Figure figure{
+      "polyloops-transfer",
+      "Fraction of each frequency that smoothing operators keep",
+      "ω/π",
+      "transfer function",
+      {},
+      "set xrange [0:1]; set yrange [-1.8:1.8]; set key bottom left Left reverse; set arrow from 0,1 to 1,1 "
+      "nohead dt 2; "
+      "set arrow from 0,-1 to 1,-1 nohead dt 2"};
   for (std::size_t i = 0; i < filters.size(); ++i)
     figure.curves.push_back(
         {series.name, series.columns[0], filters[i].name, filters[i].name, style::line(i)});

@@ -100,11 +100,42 @@ std::optional<LargestGain> gain_of(const OperatorSequence& sequence) {
   return largest_gain(parts);
 }
 
+/// Roots may cancel in the whole sequence, as those of {tuck(sqrt(1/2)); tuck(-sqrt(1/2))} do: tried for
+/// short sequences of quadratic numbers, where that is fast.
+std::optional<Laurent<Rational>> rational_weights(const OperatorSequence& sequence) {
+  constexpr std::size_t longest = 4;
+  if (sequence.order.size() > longest) return std::nullopt;
+  std::vector<PolyloopOperator<Algebraic>> steps;
+  for (const PolyloopOperator<Algebraic>& op : operators_of<Algebraic>(sequence)) {
+    for (const Laurent<Algebraic>& row : op.rows) {
+      if (std::ranges::any_of(row.coefficients(), [](const Algebraic& x) { return x.degree() > 2; }))
+        return std::nullopt;
+    }
+    steps.push_back(op);
+  }
+  std::vector<PolyloopOperator<Algebraic>> ordered;
+  for (const std::size_t i : sequence.order) ordered.push_back(steps[i]);
+  const auto weights = weights_of(subdiv::sequence(ordered));
+  if (!weights || !std::ranges::all_of(weights->coefficients(), &Algebraic::is_rational)) return std::nullopt;
+  return map_coefficients(*weights, [](const Algebraic& x) { return x.to_rational(); });
+}
+
 /// What is known of the gain; roots make it an enclosure without a place.
 struct Gain {
   Enclosure value;
   std::optional<Algebraic> cosine;
 };
+
+std::optional<Gain> interval_gain(const OperatorSequence& sequence) {
+  const auto operators = operators_of<Interval>(sequence, {}, IntervalLiteral{});
+  std::vector<IntervalFilterPart> parts;
+  for (std::size_t i = 0; i < operators.size(); ++i) {
+    const PolyloopOperator<Interval>& op = operators[i];
+    if (op.period != 1 || op.outputs() != 1) return std::nullopt;
+    parts.push_back({op.rows.front(), std::ranges::count(sequence.order, i)});
+  }
+  return Gain{largest_gain(parts), std::nullopt};
+}
 
 std::optional<Gain> find_gain(const OperatorSequence& sequence) {
   try {
@@ -112,32 +143,35 @@ std::optional<Gain> find_gain(const OperatorSequence& sequence) {
     if (!exact) return std::nullopt;
     return Gain{exact->gain, exact->cosine};
   } catch (const OutsideRingError&) {
-    const auto operators = operators_of<Interval>(sequence, {}, IntervalLiteral{});
-    std::vector<IntervalFilterPart> parts;
-    for (std::size_t i = 0; i < operators.size(); ++i) {
-      const PolyloopOperator<Interval>& op = operators[i];
-      if (op.period != 1 || op.outputs() != 1) return std::nullopt;
-      parts.push_back({op.rows.front(), std::ranges::count(sequence.order, i)});
+    try {
+      if (const auto weights = rational_weights(sequence)) {
+        const LargestGain exact = largest_gain(*weights);
+        return Gain{exact.gain, exact.cosine};
+      }
+    } catch (const OutsideRingError&) {  // of too high a degree: intervals hold everything
+      return interval_gain(sequence);
     }
-    return Gain{largest_gain(parts), std::nullopt};
+    return interval_gain(sequence);
   }
 }
 
+/// Of closed plane polygons, as long as products of their coordinates stay within the doubles.
 std::optional<double> area_of(const Polyline& polyline) {
   if (!polyline.topology.closed || polyline.coordinates.size() != 2) return std::nullopt;
+  for (const std::vector<double>& c : polyline.coordinates) {
+    constexpr double largest = 1e150;
+    if (std::ranges::any_of(c, [](double x) { return std::abs(x) > largest; })) return std::nullopt;
+  }
   return signed_area(polyline);
 }
 
-std::string decimal(const Enclosure& value) {
-  constexpr int digits = 10;
-  return fmt::format("{:.{}g}", value.midpoint().to_double(), digits);
-}
-
-/// "3/2" where that is short.
+/// "3/2" where that is short; an upper bound where the enclosure is wide.
 std::string gain_text(const Enclosure& value) {
   constexpr std::size_t longest = 24;
   if (!value.exact.empty() && value.exact.size() <= longest) return value.exact;
-  return (value.rigour == Rigour::exact ? "" : "about ") + decimal(value);
+  const bool narrow = value.width() < Rational(1, 1000000000) * value.upper;
+  return narrow ? fmt::format("about {:.10g}", value.midpoint().to_double())
+                : fmt::format("{:.8g}", value.upper.to_double());
 }
 
 std::string frequency_text(const Algebraic& cosine) {

@@ -70,8 +70,10 @@ TEST_F(Smooth, WarnsOfGrowingFrequencies) {
   const ProgramRun result = run("square.csv", "tuck(2/sqrt(6)); tuck(-2/sqrt(6))", {"-o", "out.svg"});
   EXPECT_EQ(result.exit_code, 0);
   expect_contains(result.errors, "warning: the sequence amplifies");
-  expect_contains(result.output, "gain      at most about 1.66666");
+  expect_contains(result.output, "gain      at most 5/3 at frequency pi");  // the roots cancel
   expect_contains(read("out.svg"), "<svg");
+  const ProgramRun roots = run("square.csv", "tuck(sqrt(5))", {"-o", "-"});  // 2 sqrt(5) - 1 = 3.47214
+  expect_contains(roots.errors, "amplifies the frequency of its largest gain by 3.47213");
   const ProgramRun exact = run("square.csv", "untuck", {"-o", "out.obj"});
   expect_contains(exact.errors, "amplifies the frequency pi by 3;");
   expect_contains(read("out.obj"), "l 1 2 3 4 1");
