@@ -71,6 +71,28 @@ double distance(const Point3& a, const Point3& b) {
   return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
+double greatest_difference(const std::vector<Point3>& points, const Point3& from) {
+  double result = 0;
+  for (const Point3& p : points) {
+    for (std::size_t d = 0; d < p.size(); ++d) result = std::max(result, std::abs(p[d] - from[d]));
+  }
+  return result;
+}
+
+/// Sums stay finite: those of patches, and those of rings that keep their digits.
+void require_range(const MeshTopology& mesh, const std::vector<Point3>& points) {
+  constexpr double most = 1e290;
+  for (int v = 0; v < mesh.vertices(); ++v) {
+    for (const double x : points[static_cast<std::size_t>(v)]) {
+      if (mesh.outgoing(v) < 0 || std::abs(x) <= most) continue;
+      throw InputError(
+          fmt::format("vertex {}: coordinate {:.1e}: surfaces need coordinates up to {:.0e}; scale the mesh "
+                      "down",
+                      v + 1, x, most));
+    }
+  }
+}
+
 /// The Bezier points of the uniform bicubic spline, each made once: those inside a face belong to its
 /// corners, those of an edge to its ends. Meaningful where the corners at hand are regular.
 class UniformPatches {
@@ -171,11 +193,9 @@ class RingMaker {
     const std::optional<std::vector<int>> around = fan_vertices(mesh_, spoke, 2);
     if (!around) throw InputError(fmt::format("vertex {}: its two rings are not complete", vertex + 1));
     std::vector<Point3> net;
-    double greatest = 0;
-    for (const int v : *around) {
-      net.push_back(points_[static_cast<std::size_t>(v)]);
-      for (const double x : net.back()) greatest = std::max(greatest, std::abs(x));
-    }
+    for (const int v : *around) net.push_back(points_[static_cast<std::size_t>(v)]);
+    const double greatest = greatest_difference(net, Point3{});
+    const double width = greatest_difference(net, net.front());
     const int n = mesh_.valence(vertex);
     const SectorNet<Point3> sectors(n, std::move(net));
     const Point3 limit = vertex_point(sectors, uniform_limit_weights<double>(n));
@@ -191,10 +211,12 @@ class RingMaker {
       rings.hole = first;
     }
     const RingHole hole{vertex, n, size(first, limit), size(rings.hole, limit)};
-    const double rounding = schedule_.size() > 0 ? of_valence(n).rounding * greatest : 0;
-    require_digits(hole, rounding);
+    if (schedule_.size() > 0) {
+      const RoundingBound& bound = of_valence(n).rounding;
+      require_digits(hole, bound, greatest, width);
+      surface.rounding = std::max(surface.rounding, bound.of(greatest));
+    }
     surface.holes.push_back(hole);
-    surface.rounding = std::max(surface.rounding, rounding);
     for (std::size_t k = 0; k < rings.rings.size(); ++k) {
       std::size_t place = surface.begin[k + 1] + patches_of_sector * sector;
       for (const RingSector<Point3>& own : rings.rings[k]) {
@@ -213,7 +235,7 @@ class RingMaker {
  private:
   struct OfValence {
     std::vector<VertexWeights<double>> weights;
-    double rounding = 0;
+    RoundingBound rounding;
   };
   const OfValence& of_valence(int n) {
     const auto found = of_valence_.find(n);
@@ -226,15 +248,28 @@ class RingMaker {
       result = std::max({result, distance(b[0], limit), distance(b[3], limit)});
     return result;
   }
-  void require_digits(const RingHole& hole, double rounding) const {
+  /// Of the net, whose coordinates are up to `greatest` and up to `width` from the vertex's.
+  void require_digits(const RingHole& hole, const RoundingBound& bound, double greatest, double width) const {
     constexpr double digits = 1e-3;
     const double least = std::min(hole.size, schedule_.least_width() * hole.first_size);
+    const double rounding = bound.of(greatest);
     if (rounding <= digits * least || hole.first_size == 0) return;
+    std::string remedy = "take fewer steps or speeds farther from 0 and 1";
+    if (bound.relative * greatest <= digits * least) {
+      remedy = fmt::format(
+          "coordinates, up to {:.1e}, are so near the least positive number that digits are lost; scale the "
+          "mesh up",
+          greatest);
+    } else if (bound.relative * width <= digits * least) {
+      remedy = fmt::format(
+          "coordinates are up to {:.1e}, but the faces around reach only {:.1e} from the vertex; move the "
+          "mesh to the origin",
+          greatest, width);
+    }
     throw InputError(
         fmt::format("vertex {}: after these speeds the narrowest ring, or the hole, is {:.1e} wide, and "
-                    "coordinates may be off by {:.1e}: fewer than three digits are left; take fewer steps or "
-                    "speeds farther from 0 and 1",
-                    hole.vertex + 1, least, rounding));
+                    "coordinates may be off by {:.1e}: fewer than three digits are left; {}",
+                    hole.vertex + 1, least, rounding, remedy));
   }
 
   const MeshTopology& mesh_;
@@ -320,6 +355,7 @@ RingSurface ring_surface(const MeshTopology& mesh, const std::vector<Point3>& po
                          const SpeedSchedule& schedule, const RingSurfaceOptions& options) {
   if (const std::optional<RingFault> fault = find_ring_fault(mesh))
     throw InputError(fault->what + ": " + fault->remedy);
+  require_range(mesh, points);
   // Which faces are in rings, and how many sectors there are.
   std::vector<bool> in_rings(static_cast<std::size_t>(mesh.faces()), false);
   std::vector<int> extraordinary;

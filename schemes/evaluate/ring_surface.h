@@ -69,11 +69,12 @@ struct RingSurfaceOptions {
   bool fill = false;          // else the last group is empty
 };
 
-/// Throws InputError for a fault, and for steps that leave fewer than three decimal digits of a ring or a
-/// hole in double. Linear in the number of patches. Corners of patches that meet are equal bit by bit, and so
-/// are their whole edges where two patches share one. Along the outermost line of a ring one patch outside
-/// meets two, which the joints say; two extraordinary vertices a knight's move apart split an edge between
-/// them in two places, unless the speed is 1/2.
+/// Throws InputError for a fault, for coordinates beyond 1e290, and where fewer than three decimal digits of
+/// a ring or a hole are left in double: for the steps, for coordinates near the least positive double, or for
+/// a mesh far from the origin. Linear in the number of patches. Corners of patches that meet are equal bit by
+/// bit, and so are their whole edges where two patches share one. Along the outermost line of a ring one
+/// patch outside meets two, which the joints say; two extraordinary vertices a knight's move apart split an
+/// edge between them in two places, unless the speed is 1/2.
 [[nodiscard]] RingSurface ring_surface(const MeshTopology& mesh, const std::vector<Point3>& points,
                                        const SpeedSchedule& schedule, const RingSurfaceOptions& options = {});
 

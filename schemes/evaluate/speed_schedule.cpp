@@ -38,12 +38,24 @@ SpeedStep<double> rounded(const SpeedStep<Interval>& step) {
   return result;
 }
 
-/// A bound of the points at a place, the same in all sectors, and of their errors.
+/// As it stands in messages, where hundreds of digits say nothing.
+std::string shown(const Algebraic& sigma) {
+  constexpr std::size_t most = 60;
+  constexpr int digits = 6;
+  std::string text = sigma.to_string();
+  if (text.size() <= most) return text;
+  return "near " + to_significant(sigma.to_interval().midpoint(), digits);
+}
+
+/// A bound of the points at a place, the same in all sectors, and of their errors; all but `tiny` times the
+/// greatest coordinate.
 struct Size {
   double magnitude = 0;
   double error = 0;
+  double tiny = 0;  // the errors of underflow, times the least positive double
 };
-constexpr double unit = std::numeric_limits<double>::epsilon();
+/// Rounding to nearest is off by at most this times the number.
+constexpr double unit = std::numeric_limits<double>::epsilon() / 2;
 
 /// The net in bounds: the vertex and the places of a sector.
 struct NetSize {
@@ -51,19 +63,22 @@ struct NetSize {
   std::array<Size, SectorNet<double>::places> places;
 };
 
-/// A sum of `terms` products: each weight, product and partial sum is off by less than a unit.
+/// A sum of `terms` products: each weight, product and partial sum is off by less than a unit, and a product
+/// that underflows by less than the least positive double; sums do not underflow.
 class SumSize {
  public:
   void add(double weight, const Size& point) {
     sum_.magnitude += std::abs(weight) * point.magnitude;
     sum_.error += std::abs(weight) * point.error;
+    sum_.tiny += std::abs(weight) * point.tiny;
     ++terms_;
   }
   [[nodiscard]] Size get() const {
     const double relative = (terms_ + 2) * unit;
     // The last factor covers the rounding of these sums themselves.
     return {sum_.magnitude * (1 + 2 * relative),
-            (sum_.error + relative * sum_.magnitude) * (1 + 2 * relative)};
+            (sum_.error + relative * sum_.magnitude) * (1 + 2 * relative),
+            (sum_.tiny + terms_) * (1 + 2 * relative)};
   }
 
  private:
@@ -99,18 +114,24 @@ Size centre_size(const NetSize& net, const VertexWeights<double>& weights, int v
   return result;
 }
 
-double border_error(const RingRules<double>& rules, const NetSize& net) {
+/// Raises the bound to what the border of a net and its parts are off.
+void include_border(RoundingBound& bound, const RingRules<double>& rules, const NetSize& net) {
   Size worst;
   for (const auto& stencil : rules.border) {
     if (!stencil) continue;
     const Size size = size_of(*stencil, net);
     worst.magnitude = std::max(worst.magnitude, size.magnitude);
     worst.error = std::max(worst.error, size.error);
+    worst.tiny = std::max(worst.tiny, size.tiny);
   }
-  // Means of these split the border in both directions: three levels of two products each.
-  constexpr double splits = 24;
-  return worst.error + splits * unit * worst.magnitude;
+  // De Casteljau's means split it, three levels in each direction. At each the weights sigma and 1 - sigma
+  // are off by two units together, products and sum by one each, and two products may underflow.
+  constexpr double levels = 6;
+  bound.relative = std::max(bound.relative, worst.error + 4 * levels * unit * worst.magnitude);
+  bound.tiny = std::max(bound.tiny, worst.tiny + 2 * levels);
 }
+
+double above(double x) { return std::nextafter(x, std::numeric_limits<double>::infinity()); }
 
 }  // namespace
 
@@ -121,12 +142,12 @@ SpeedSchedule::SpeedSchedule(std::vector<Algebraic> speeds) : speeds_(std::move(
     const Algebraic rest = Algebraic(1) - sigma;
     if (sigma.sign() <= 0 || rest.sign() <= 0) {
       throw InputError(fmt::format(
-          "speed {}: speeds lie between 0 and 1, both excluded; 1/2 is Catmull-Clark's", sigma.to_string()));
+          "speed {}: speeds lie between 0 and 1, both excluded; 1/2 is Catmull-Clark's", shown(sigma)));
     }
     if (sigma < least || rest < least) {
       throw InputError(
           fmt::format("speed {}: so near {} nothing of a ring is left in double; keep 2^-{} away",
-                      sigma.to_string(), sigma < least ? 0 : 1, finest));
+                      shown(sigma), sigma < least ? 0 : 1, finest));
     }
     enclosures_.push_back(sigma.to_interval(precision));
     least_width_ = std::min(least_width_, outside * enclosures_.back().to_double());
@@ -155,21 +176,25 @@ std::vector<VertexWeights<double>> SpeedSchedule::weights(int valence) const {
   return result;
 }
 
-double SpeedSchedule::rounding(int valence) const {
+RoundingBound SpeedSchedule::rounding(int valence) const {
   NetSize net;
   net.centre.magnitude = 1;
   for (Size& place : net.places) place.magnitude = 1;
-  double worst = 0;
+  RoundingBound bound;
   const std::vector<VertexWeights<double>> of_vertex = weights(valence);
   for (std::size_t k = 0; k < steps_.size(); ++k) {
     change_places(net, steps_[k].change);
-    worst = std::max(worst, border_error(steps_[k].rules, net));
+    if (k == 0) include_border(bound, steps_[k].rules, net);  // later on it is the one of the step before
     const Size centre = centre_size(net, of_vertex[k], valence);
     change_places(net, steps_[k].rules.refined);
     net.centre = centre;
-    worst = std::max(worst, border_error(steps_[k].rules, net));
+    include_border(bound, steps_[k].rules, net);
   }
-  return worst;
+  return bound;
+}
+
+double RoundingBound::of(double greatest) const {
+  return above(above(relative * greatest) + above(tiny * std::numeric_limits<double>::denorm_min()));
 }
 
 }  // namespace subdiv

@@ -10,6 +10,16 @@
 
 namespace subdiv {
 
+/// How far coordinates may be off in double: `relative` times the greatest coordinate of the net, and `tiny`
+/// times the least positive double, by which products near 0 are rounded whatever their size.
+struct RoundingBound {
+  double relative = 0;
+  double tiny = 0;
+
+  /// Rounded up.
+  [[nodiscard]] double of(double greatest) const;
+};
+
 /// The speeds of some steps, with the rules of each in double: every weight is rounded once, from an
 /// enclosure of the exact one.
 class SpeedSchedule {
@@ -26,10 +36,9 @@ class SpeedSchedule {
   /// The width in parameters of the narrowest of the rings and the hole, where the first border has width 1:
   /// the least of sigma_k prod_{i < k} (1 - sigma_i) and prod (1 - sigma_i).
   [[nodiscard]] double least_width() const { return least_width_; }
-  /// No coefficient of a ring or of the last border is farther from that of the exact rules than this times
-  /// the greatest coordinate of the net: the errors of weights, products and sums, followed through all
-  /// steps.
-  [[nodiscard]] double rounding(int valence) const;
+  /// No coefficient of a ring or of the last border is farther from that of the exact rules: the errors of
+  /// weights, products and sums, followed through all steps. For rounding to nearest, without overflow.
+  [[nodiscard]] RoundingBound rounding(int valence) const;
 
  private:
   std::vector<Algebraic> speeds_;

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <string>
 #include <vector>
 
 #include "schemes/evaluate/bezier_patch.h"
@@ -150,7 +152,7 @@ TEST(RingSurface, RoundingIsBounded) {
       const auto weights = rounded.weights(n);
       const auto rings = nested_rings<double, double>(SectorNet<double>(n, points), rounded.steps(),
                                                       [&](std::size_t k) { return weights[k]; });
-      const double bound = 10 * rounded.rounding(n);  // coordinates up to 10
+      const double bound = rounded.rounding(n).of(10);  // coordinates up to 10
       EXPECT_LT(bound, 1e-9);
       for (std::size_t k = 0; k < speeds.size(); ++k) {
         for (std::size_t l = 0; l < static_cast<std::size_t>(n); ++l) {
@@ -239,6 +241,186 @@ TEST(RingSurface, RefusesStepsThatLeaveNoDigits) {
   EXPECT_THROW(schedule({Rational(0)}), InputError);
   EXPECT_THROW(schedule({Rational(1)}), InputError);
   EXPECT_THROW(schedule({Rational(1) - Rational::power_of_two(-65)}), InputError);
+}
+
+// The bound follows the coordinates.
+TEST(RingSurface, RoundingScalesWithTheMesh) {
+  const Mesh mesh = refined(random_mesh(sample::cube(), 9U));
+  const SpeedSchedule speeds = schedule({Rational(1, 3), Rational(3, 4)});
+  double expected = 0;  // the greatest coordinate around any corner
+  for (const Point3& p : mesh.points) {
+    for (const double x : p) expected = std::max(expected, std::abs(x));
+  }
+  EXPECT_EQ(ring_surface(mesh.topology, mesh.points, speeds).rounding, speeds.rounding(3).of(expected));
+  for (const int exponent : {-500, 20, 500}) {
+    Points scaled = mesh.points;
+    for (Point3& p : scaled) {
+      for (double& x : p) x = std::ldexp(x, exponent);
+    }
+    EXPECT_EQ(ring_surface(mesh.topology, scaled, speeds).rounding,
+              speeds.rounding(3).of(std::ldexp(expected, exponent)));
+  }
+}
+
+// Neither more nor fewer steps than leave three digits.
+TEST(RingSurface, StepsStopWhereThreeDigitsAreLeft) {
+  const Mesh mesh = refined(random_mesh(sample::cube(), 9U));
+  for (const Rational& sigma : {Rational(1, 2), Rational(3, 4)}) {
+    double left = 0;  // of the last steps that are taken: the hole in units of the bound
+    bool refused = false;
+    for (std::size_t steps = 1; steps < 60 && !refused; ++steps) {
+      const SpeedSchedule speeds = schedule(std::vector<Rational>(steps, sigma));
+      try {
+        const RingSurface surface = ring_surface(mesh.topology, mesh.points, speeds);
+        left = std::numeric_limits<double>::infinity();
+        for (const RingHole& hole : surface.holes)
+          left = std::min({left, hole.size / surface.rounding,
+                           speeds.least_width() * hole.first_size / surface.rounding});
+      } catch (const InputError& error) {
+        refused = true;
+        EXPECT_NE(std::string(error.what()).find("fewer steps"), std::string::npos);
+      }
+    }
+    EXPECT_TRUE(refused);
+    EXPECT_GE(left, 1000 * (1 - 0.5));  // bounds of single vertices are at most that of the surface
+    EXPECT_LE(left, 1000 * 16);
+  }
+}
+
+// A narrow ring is refused although the hole is wide.
+TEST(RingSurface, RefusesARingWithoutDigits) {
+  const Mesh mesh = refined(random_mesh(sample::cube(), 9U));
+  EXPECT_NO_THROW(
+      static_cast<void>(ring_surface(mesh.topology, mesh.points, schedule({Rational(1, 1000000)}))));
+  EXPECT_THROW(static_cast<void>(
+                   ring_surface(mesh.topology, mesh.points, schedule({Rational(1) / pow(Rational(10), 14)}))),
+               InputError);
+}
+
+TEST(RingSurface, NamesTheCauseOfLostDigits) {
+  const Mesh mesh = refined(random_mesh(sample::cube(), 9U));
+  const auto message = [&](double scale, double offset) -> std::string {
+    Points points = mesh.points;
+    for (Point3& p : points) {
+      for (double& x : p) x = scale * x + offset;
+    }
+    try {
+      static_cast<void>(ring_surface(mesh.topology, points, schedule({Rational(1, 2)})));
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(message(1, 0), "");
+  EXPECT_EQ(message(1e-290, 0), "");
+  EXPECT_EQ(message(1e288, 0), "");
+  EXPECT_NE(message(1, 1e13).find("to the origin"), std::string::npos) << message(1, 1e13);
+  EXPECT_NE(message(1e-320, 0).find("scale the mesh up"), std::string::npos) << message(1e-320, 0);
+  EXPECT_NE(message(1e300, 0).find("scale the mesh down"), std::string::npos) << message(1e300, 0);
+}
+
+// Sizes of holes against the corners of the caps: farthest from the limit point.
+TEST(RingSurface, SizesAreThoseOfTheCapsCorners) {
+  for (unsigned seed = 1; seed <= 6; ++seed) {
+    const Mesh mesh = refined(random_mesh(sample::cube(), seed));
+    const auto sizes = [&](const RingSurface& surface) {
+      std::vector<double> result;
+      std::size_t patch = surface.begin[surface.groups() - 1];
+      for (std::size_t v = 0; v < 8; ++v) {
+        result.push_back(0);
+        for (std::size_t k = 0; k < 3; ++k, ++patch) {
+          const BezierPatch<Point3>& cap = surface.patches[patch];
+          for (const std::size_t corner : {0U, 3U, 12U}) {
+            result.back() =
+                std::max(result.back(), std::hypot(cap[corner][0] - cap[15][0], cap[corner][1] - cap[15][1],
+                                                   cap[corner][2] - cap[15][2]));
+          }
+        }
+      }
+      return result;
+    };
+    const std::vector<double> first =
+        sizes(ring_surface(mesh.topology, mesh.points, schedule({}), {true, true}));
+    const RingSurface surface =
+        ring_surface(mesh.topology, mesh.points, schedule({Rational(2, 5)}), {true, true});
+    const std::vector<double> last = sizes(surface);
+    ASSERT_EQ(surface.holes.size(), 8U);
+    for (std::size_t v = 0; v < 8; ++v) {
+      EXPECT_EQ(surface.holes[v].first_size, first[v]);
+      EXPECT_EQ(surface.holes[v].size, last[v]);
+    }
+  }
+}
+
+// Halstead, Kass & DeRose (1993): (n^2 V + 4 sum of edge + sum of face neighbours)/(n (n + 5)) is the limit.
+TEST(RingSurface, CapsMeetInTheLimitPoint) {
+  const Mesh mesh = refined(random_mesh(sample::quads_of(sample::bipyramid(7)), 3U));
+  for (const std::vector<Rational>& speeds :
+       {std::vector<Rational>{}, {Rational(3, 4)}, {Rational(1, 5), Rational(2, 3)}}) {
+    const RingSurface surface = ring_surface(mesh.topology, mesh.points, schedule(speeds), {true, true});
+    std::size_t patch = surface.begin[surface.groups() - 1];
+    for (const RingHole& hole : surface.holes) {
+      Point3 limit{};
+      const double n = hole.valence;
+      const auto add = [&](int v, double weight) {
+        for (std::size_t d = 0; d < 3; ++d)
+          limit[d] += weight / (n * (n + 5)) * mesh.points[static_cast<std::size_t>(v)][d];
+      };
+      add(hole.vertex, n * n);
+      for_each_outgoing(mesh.topology, hole.vertex, [&](int h) {
+        add(mesh.topology.target(h), 4);
+        add(mesh.topology.target(mesh.topology.next(h)), 1);
+      });
+      for (int k = 0; k < hole.valence; ++k, ++patch) {
+        for (std::size_t d = 0; d < 3; ++d) EXPECT_NEAR(surface.patches[patch][15][d], limit[d], 1e-12);
+      }
+    }
+    EXPECT_EQ(patch, surface.patches.size());
+  }
+}
+
+// A border is the uniform cubic spline of its vertices, and ends in its corners.
+TEST(RingSurface, BordersAreCubicSplines) {
+  const Mesh mesh = random_mesh(sample::sheet(2, 3), 4U);
+  const RingSurface surface = ring_surface(mesh.topology, mesh.points, schedule({}));
+  ASSERT_EQ(surface.patches.size(), 6U);
+  for (int f = 0; f < 3; ++f) {  // the row at the border of the vertices 0 .. 3
+    const BezierPatch<Point3>& patch = surface.patches[static_cast<std::size_t>(f)];
+    const auto line = edge_layers(patch, PatchEdge::first_j)[0];
+    for (std::size_t d = 0; d < 3; ++d) {
+      const auto p = [&](int i) { return mesh.points[static_cast<std::size_t>(i)][d]; };
+      const auto at_vertex = [&](int i) {
+        return i == 0 || i == 3 ? p(i) : (p(i - 1) + 4 * p(i) + p(i + 1)) / 6;
+      };
+      EXPECT_NEAR(line[0][d], at_vertex(f), 1e-14);
+      EXPECT_NEAR(line[1][d], (2 * p(f) + p(f + 1)) / 3, 1e-14);
+      EXPECT_NEAR(line[2][d], (p(f) + 2 * p(f + 1)) / 3, 1e-14);
+      EXPECT_NEAR(line[3][d], at_vertex(f + 1), 1e-14);
+    }
+  }
+}
+
+// Neighbouring sectors have the points of their common spoke in common, bit by bit.
+TEST(RingSurface, SectorsShareTheirSpokes) {
+  const Mesh mesh = refined(random_mesh(sample::quads_of(sample::bipyramid(7)), 2U));
+  const RingSurface surface =
+      ring_surface(mesh.topology, mesh.points, schedule({Rational(3, 7), Rational(2, 3)}), {true, true});
+  std::size_t start = 0;
+  for (const RingHole& hole : surface.holes) {
+    const auto n = static_cast<std::size_t>(hole.valence);
+    for (std::size_t k = 0; k < n; ++k) {
+      const std::size_t own = start + k;
+      const std::size_t next = start + (k + 1) % n;
+      for (std::size_t ring = 1; ring <= 2; ++ring) {
+        const auto& side = surface.patches[surface.begin[ring] + 3 * own + 1];
+        const auto& beyond = surface.patches[surface.begin[ring] + 3 * next + 2];
+        EXPECT_EQ(edge_layers(side, PatchEdge::last_i)[0], edge_layers(beyond, PatchEdge::last_j)[0]);
+      }
+      EXPECT_EQ(edge_layers(surface.patches[surface.begin[3] + own], PatchEdge::last_i)[0],
+                edge_layers(surface.patches[surface.begin[3] + next], PatchEdge::last_j)[0]);
+    }
+    start += n;
+  }
 }
 
 }  // namespace
