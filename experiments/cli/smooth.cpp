@@ -169,6 +169,7 @@ std::optional<double> area_of(const Polyline& polyline) {
 std::string gain_text(const Enclosure& value) {
   constexpr std::size_t longest = 24;
   if (!value.exact.empty() && value.exact.size() <= longest) return value.exact;
+  if (!std::isfinite(value.upper.to_double())) return "more than 1.7e308";
   const bool narrow = value.width() < Rational(1, 1000000000) * value.upper;
   return narrow ? fmt::format("about {:.10g}", value.midpoint().to_double())
                 : fmt::format("{:.8g}", value.upper.to_double());
@@ -208,7 +209,7 @@ void print(const Report& report, const SmoothOptions& options) {
     std::cout << "gain      - (the sequence makes new vertices or tells them apart)\n";
     return;
   }
-  std::cout << "gain      at most " << gain_text(report.gain->value);
+  std::cout << "gain      " << gain_text(report.gain->value);
   if (report.gain->cosine) std::cout << " at frequency " << frequency_text(*report.gain->cosine);
   std::cout << (options.repeat > 1 ? ", in each repetition\n" : "\n");
 }
