@@ -88,7 +88,7 @@ void add_transfer(Results& results) {
       {},
       "set xrange [0:1]; set yrange [-1.8:1.8]; set key bottom left Left reverse; set arrow from 0,1 to 1,1 "
       "nohead dt 2; "
-      "set arrow from 0,-1 to 1,-1 nohead dt 2"};
+      "set arrow from 0.5,-1 to 1,-1 nohead dt 2"};
   for (std::size_t i = 0; i < filters.size(); ++i)
     figure.curves.push_back(
         {series.name, series.columns[0], filters[i].name, filters[i].name, style::line(i)});
