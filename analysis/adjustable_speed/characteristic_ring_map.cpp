@@ -7,9 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/adjustable_speed/ring_conditions.h"
+#include "analysis/adjustable_speed/ring_theorem.h"
 #include "analysis/mesh/bernstein_patch.h"
-#include "schemes/algebra/taylor.h"
 #include "schemes/algebra/turn.h"
 
 namespace subdiv {
@@ -17,9 +16,6 @@ namespace {
 
 /// Bits that are worked with at least: what sigma is known to is then all that limits an answer.
 constexpr long ring_precision = 256;
-
-/// Of the remainder in Taylor expansions.
-constexpr std::size_t order = 4;
 
 void require_valence(int valence) {
   if (valence < 3) throw std::invalid_argument("characteristic ring: the valence is at least 3");
@@ -58,14 +54,6 @@ Series<N> sqrt(const Series<N>& x) {
   return root;
 }
 
-/// The conditions' Taylor coefficients at sigma.
-template <std::size_t N>
-std::vector<RingCondition<Series<N>>> expanded_conditions(const Interval& sigma, int valence) {
-  const Series<N> s = Series<N>::variable(sigma);
-  const Series<N> d = Series<N>::constant(one_plus_cosine(valence, sigma.working_precision()));
-  return ring_conditions(characteristic_ring(shape_at(s, d, sqrt(discriminant(s, d)))).sector);
-}
-
 /// Bernstein coefficients of the Jacobian; a unit of the parameters is that of the whole ring.
 void add_jacobians(SignsFound& found, const BezierPatch<RingPoint<Interval>>& patch, const Interval& area) {
   SquarePatch x(3, 3);
@@ -85,19 +73,48 @@ void add_jacobians(SignsFound& found, const BezierPatch<RingPoint<Interval>>& pa
 }
 
 /// All conditions hold for all speeds in the cell.
-bool hold_on(const Interval& cell, int valence) {
+bool hold_on(const Interval& cell, const std::function<RingExpansion(const Interval&)>& expanded) {
   // Taylor's theorem: the coefficients at the middle, the remainder's on the whole interval. Plain interval
   // arithmetic would count sigma's width again wherever sigma occurs.
   const Interval middle = cell.center();
   const Interval off = cell - middle;
-  const auto at_middle = expanded_conditions<order>(middle, valence);
-  const auto on_cell = expanded_conditions<order + 1>(cell, valence);
+  const RingExpansion at_middle = expanded(middle);
+  const RingExpansion on_cell = expanded(cell);
   for (std::size_t k = 0; k < at_middle.size(); ++k) {
-    Interval value = on_cell[k].value.c[order];
-    for (std::size_t j = order; j > 0; --j) value = value * off + at_middle[k].value.c[j - 1];
+    Interval value = on_cell[k].value.c[ring_order];
+    for (std::size_t j = ring_order; j > 0; --j) value = value * off + at_middle[k].value.c[j - 1];
     if (at_middle[k].sign > 0 ? !certainly_positive(value) : !certainly_negative(value)) return false;
   }
   return true;
+}
+
+/// One proof, for all speeds and valences.
+bool theorem_holds() {
+  static const bool holds = prove_ring_theorem().holds == Decision::yes;
+  return holds;
+}
+
+/// For sigma in (0, 1) if inside is true.
+CharacteristicMap map_on(const Interval& cell, int valence, bool inside) {
+  CharacteristicMap map;
+  map.eigenvalue = ring_shape(cell, valence).eigenvalue();
+  map.eigenvalue_of_mode_1 = map.eigenvalue.to_double();
+  map.method = "signs of Bezier differences over intervals";
+  if (ring_conditions_on(cell, valence).hold != Decision::yes) {
+    if (!inside || !theorem_holds()) return map;
+    map.method = "signs of Bezier differences for all speeds and valences, exact";
+  }
+  map.rigour = Rigour::certified;
+  map.regular = map.injective = Decision::yes;
+  map.winding = 1;
+  const RingShape<Interval> middle = ring_shape(cell.center(), valence);
+  const RingSector<RingPoint<Interval>> ring = characteristic_ring(middle).sector;
+  SignsFound jacobians;
+  add_jacobians(jacobians, ring.corner, middle.sigma * middle.sigma);
+  add_jacobians(jacobians, ring.first_side, middle.sigma * middle.rest());
+  const bool known = jacobians.positive && !jacobians.negative && !jacobians.open;
+  if (known) map.jacobian_ratio = jacobians.smallest / jacobians.largest;
+  return map;
 }
 
 }  // namespace
@@ -116,8 +133,15 @@ RingShape<Interval> ring_shape(const Interval& sigma, int valence) {
   return shape_at(sigma, d, subdiv::sqrt(discriminant(sigma, d)));
 }
 
-RingRange ring_conditions_on(const Interval& sigma, int valence, int cells) {
-  require_valence(valence);
+RingExpansion ring_expansion(const Interval& sigma, int valence) {
+  using Value = Series<ring_order + 1>;
+  const Value s = Value::variable(sigma);
+  const Value d = Value::constant(one_plus_cosine(valence, sigma.working_precision()));
+  return ring_conditions(characteristic_ring(shape_at(s, d, sqrt(discriminant(s, d)))).sector);
+}
+
+RingRange conditions_on(const Interval& sigma, const std::function<RingExpansion(const Interval&)>& expanded,
+                        int cells) {
   RingRange result;
   if (!sigma.is_finite() || !certainly_positive(sigma) || !certainly_less(sigma, Interval(1))) return result;
   const long precision = std::max(ring_precision, sigma.working_precision());
@@ -127,7 +151,7 @@ RingRange ring_conditions_on(const Interval& sigma, int valence, int cells) {
     const auto [lower, upper] = waiting.back();
     waiting.pop_back();
     ++result.cells;
-    if (hold_on(Interval::hull(lower, upper, precision), valence)) continue;
+    if (hold_on(Interval::hull(lower, upper, precision), expanded)) continue;
     const Rational middle = (lower + upper) / Rational(2);
     waiting.emplace_back(lower, middle);
     waiting.emplace_back(middle, upper);
@@ -136,23 +160,21 @@ RingRange ring_conditions_on(const Interval& sigma, int valence, int cells) {
   return result;
 }
 
+RingRange ring_conditions_on(const Interval& sigma, int valence, int cells) {
+  require_valence(valence);
+  return conditions_on(
+      sigma, [valence](const Interval& part) { return ring_expansion(part, valence); }, cells);
+}
+
 CharacteristicMap speed_characteristic_map(const Interval& sigma, int valence) {
-  const Interval cell = sigma.with_precision(std::max(ring_precision, sigma.working_precision()));
-  CharacteristicMap map;
-  map.eigenvalue = ring_shape(cell, valence).eigenvalue();
-  map.eigenvalue_of_mode_1 = map.eigenvalue.to_double();
-  map.rigour = Rigour::certified;
-  map.method = "signs of Bezier differences over intervals";
-  if (ring_conditions_on(cell, valence).hold != Decision::yes) return map;
-  map.regular = map.injective = Decision::yes;
-  map.winding = 1;
-  const RingShape<Interval> middle = ring_shape(cell.center(), valence);
-  const RingSector<RingPoint<Interval>> ring = characteristic_ring(middle).sector;
-  SignsFound jacobians;
-  add_jacobians(jacobians, ring.corner, middle.sigma * middle.sigma);
-  add_jacobians(jacobians, ring.first_side, middle.sigma * middle.rest());
-  map.jacobian_ratio = jacobians.smallest / jacobians.largest;
-  return map;
+  return map_on(sigma.with_precision(std::max(ring_precision, sigma.working_precision())), valence,
+                sigma.is_finite() && certainly_positive(sigma) && certainly_less(sigma, Interval(1)));
+}
+
+CharacteristicMap speed_characteristic_map(const Rational& sigma, int valence) {
+  if (sigma.sign() <= 0 || !(sigma < Rational(1)))
+    throw std::invalid_argument("characteristic ring: the speed lies strictly between 0 and 1");
+  return map_on(Interval(sigma, ring_precision), valence, true);
 }
 
 }  // namespace subdiv

@@ -105,7 +105,7 @@ Questions questions_of(const MeshSchemeDescription& description) {
   if (description.family->rings_only) {
     const Rational sigma = parameter_values<Rational>(description).front();
     return {[](int /*valence*/) { return lambda_is_subdominant() ? Decision::yes : Decision::undecided; },
-            [sigma](int valence) { return speed_characteristic_map(Interval(sigma), valence); },
+            [sigma](int valence) { return speed_characteristic_map(sigma, valence); },
             [sigma](int valence) { return limit_weights(vertex_weights(sigma, valence), sigma); }};
   }
   const MeshSchemeForms forms = mesh_scheme_forms(description);

@@ -42,9 +42,62 @@ TEST(SpeedCharacteristicMap, StaysOpenWhereSigmaIsNotKnownWellEnough) {
     const CharacteristicMap map = speed_characteristic_map(sigma, 5);
     EXPECT_EQ(map.regular, Decision::undecided) << sigma.to_string();
     EXPECT_EQ(map.injective, Decision::undecided);
+    EXPECT_EQ(map.rigour, Rigour::approximate);  // nothing is proved
     EXPECT_FALSE(map.winding);
   }
   EXPECT_THROW((void)speed_characteristic_map(number("1/2"), 2), std::invalid_argument);
+}
+
+TEST(SpeedCharacteristicMap, IsDecidedAtEverySpeed) {
+  const std::string exact = "signs of Bezier differences for all speeds and valences, exact";
+  for (const int zeros : {20, 40, 400}) {
+    const Rational tiny = Rational(1) / pow(Rational(10), static_cast<long>(zeros));
+    for (const Rational& sigma : {tiny, Rational(1) - tiny}) {
+      for (const int n : {3, 100}) {
+        const CharacteristicMap map = speed_characteristic_map(sigma, n);
+        EXPECT_EQ(map.regular, Decision::yes) << zeros << ' ' << n;
+        EXPECT_EQ(map.injective, Decision::yes) << zeros << ' ' << n;
+        EXPECT_EQ(map.rigour, Rigour::certified);
+        EXPECT_EQ(map.winding, 1);
+        EXPECT_GE(map.jacobian_ratio, 0);  // 0 where its precision does not tell
+      }
+    }
+  }
+  EXPECT_EQ(speed_characteristic_map(Rational(1) - Rational(1) / pow(Rational(10), 400L), 5).method, exact);
+  // A wide interval that is surely inside, and a small one that may contain 1.
+  const Rational near_one = Rational(1) - Rational(1) / pow(Rational(10), 40L);
+  const CharacteristicMap wide = speed_characteristic_map(range("0.0000001", "0.9999999"), 5);
+  EXPECT_EQ(wide.injective, Decision::yes);
+  EXPECT_EQ(wide.method, exact);
+  EXPECT_EQ(wide.rigour, Rigour::certified);
+  EXPECT_NE(speed_characteristic_map(number("1/2"), 5).method, exact);
+  EXPECT_EQ(speed_characteristic_map(Interval(near_one, 64), 5).rigour, Rigour::approximate);
+  EXPECT_THROW((void)speed_characteristic_map(Rational(0), 5), std::invalid_argument);
+  EXPECT_THROW((void)speed_characteristic_map(Rational(1), 5), std::invalid_argument);
+  EXPECT_THROW((void)speed_characteristic_map(Rational(1, 2), 2), std::invalid_argument);
+}
+
+TEST(RingConditions, EveryOneIsAskedOnIntervals) {
+  // One value at a time with the other sign, then one that is 0.
+  const Interval speeds = range("0.5", "0.501");
+  const auto proved = [&](std::size_t k, int factor) {
+    const auto expanded = [&](const Interval& part) {
+      RingExpansion conditions = ring_expansion(part, 5);
+      if (k < conditions.size()) {
+        for (Interval& c : conditions[k].value.c) c *= Interval(factor);
+      }
+      return conditions;
+    };
+    return conditions_on(speeds, expanded, 1).hold == Decision::yes;
+  };
+  const RingExpansion conditions = ring_expansion(speeds, 5);
+  ASSERT_EQ(conditions.size(), 97U);
+  EXPECT_TRUE(proved(conditions.size(), 1));
+  for (std::size_t k = 0; k < conditions.size(); ++k) {
+    EXPECT_TRUE(proved(k, 2)) << conditions[k].name;
+    EXPECT_FALSE(proved(k, -1)) << conditions[k].name;
+    EXPECT_FALSE(proved(k, 0)) << conditions[k].name;
+  }
 }
 
 TEST(RingConditions, HoldOnThePapersRangeOfSpeeds) {

@@ -109,6 +109,13 @@ TEST(Eigen, SpeedsNearTheEndsKeepTheirDigits) {
   const ProgramRun run =
       run_program({"eigen", "adjustable-speed:sigma=0.99999999999999999999", "--valence", "5"});
   expect_contains(run.output, "e-20");
+  for (const std::size_t nines : {40U, 100U}) {
+    const Json map =
+        eigen("adjustable-speed:sigma=0." + std::string(nines, '9'), "5")[0]["characteristic_map"];
+    EXPECT_EQ(map["regular"], true);
+    EXPECT_EQ(map["injective"], true);
+    EXPECT_EQ(map["rigour"], "certified");
+  }
 }
 
 TEST(Eigen, SpeedsOutsideAreRefused) {
