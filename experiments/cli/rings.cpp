@@ -193,11 +193,18 @@ int write_rings(const RingsOptions& options) {
     throw InputError(
         "nothing to write: -o OUTPUT for the surface, --control-points FILE for its patches, or "
         "--json for the holes alone");
-  if (options.out == "-" && options.json)
-    throw InputError("--json: standard output takes the surface (-o -); write one of them to a file");
-  if (control != Control::none && options.control_points == options.out)
-    throw InputError("--control-points " + options.control_points +
-                     ": -o writes this file; the patches need another one");
+  const bool surface_shown = output != Output::none && is_standard_output(options.out);
+  const bool control_shown = control != Control::none && is_standard_output(options.control_points);
+  if (options.json && (surface_shown || control_shown)) {
+    throw InputError("--json: standard output takes the " +
+                     (surface_shown ? "surface (-o " + options.out
+                                    : "patches (--control-points " + options.control_points) +
+                     "); write one of them to a file");
+  }
+  if (output != Output::none && control != Control::none &&
+      have_same_target(options.out, options.control_points))
+    throw InputError("--control-points " + options.control_points + ": -o " + options.out +
+                     " writes this file; the patches need another one");
   const SpeedSchedule schedule = schedule_of(options.sigma);
   const QuadMesh mesh = quad_mesh(options);
   RingSurface surface;
@@ -224,7 +231,7 @@ int write_rings(const RingsOptions& options) {
   if (options.json) {
     std::cout << report_json(surface, schedule, options).dump(2) << '\n';
   } else {
-    (options.out == "-" ? std::cerr : std::cout) << report_text(surface, options);
+    (surface_shown || control_shown ? std::cerr : std::cout) << report_text(surface, options);
   }
   return ExitCode::done;
 }

@@ -25,13 +25,48 @@ bool in_system_folder(const fs::path& path) {
   return text.starts_with("/dev/") || text.starts_with("/proc/");
 }
 
+/// The file that a link leads to is written, whether it exists or not, and not the link; /dev/stdout stays
+/// what it says.
+fs::path without_links(fs::path path) {
+  constexpr int most_links = 40;
+  std::error_code ignored;
+  for (int i = 0; i < most_links && !in_system_folder(path) && fs::is_symlink(path, ignored); ++i)
+    path = path.parent_path() / fs::read_symlink(path, ignored);
+  return path;
+}
+
 }  // namespace
 
-OutputFile::OutputFile(std::filesystem::path target) : target_(std::move(target)) {
+bool is_standard_output(const fs::path& path) {
+  const fs::path target = without_links(path);
+  if (target == "-" || target == "/dev/stdout") return true;
+  struct stat named{};
+  struct stat output{};
+  struct stat nowhere{};
+  if (stat(target.c_str(), &named) != 0 || fstat(STDOUT_FILENO, &output) != 0) return false;
+  // A regular file is replaced, so that text already on its way into the old one stays there.
+  if (S_ISREG(named.st_mode) && !in_system_folder(target)) return false;
+  const auto same = [](const struct stat& a, const struct stat& b) {
+    return a.st_dev == b.st_dev && a.st_ino == b.st_ino;
+  };
+  return same(named, output) && !(stat("/dev/null", &nowhere) == 0 && same(named, nowhere));
+}
+
+bool have_same_target(const fs::path& a, const fs::path& b) {
+  if (is_standard_output(a) || is_standard_output(b)) return is_standard_output(a) && is_standard_output(b);
+  const auto target = [](const fs::path& path) {
+    std::error_code error;
+    const fs::path named = without_links(path);
+    const fs::path whole = fs::weakly_canonical(fs::absolute(named, error), error);
+    return error ? named : whole;
+  };
+  return target(a) == target(b);
+}
+
+OutputFile::OutputFile(std::filesystem::path target) : target_(without_links(std::move(target))) {
   std::error_code ignored;  // a target that does not exist yet is the usual one
-  resolve_links();
   const fs::file_status status = fs::status(target_, ignored);
-  if (target_ == "-" || target_ == "/dev/stdout") {
+  if (is_standard_output(target_)) {
     file_ = dup(STDOUT_FILENO);
   } else if (fs::is_character_file(status) || fs::is_fifo(status) || in_system_folder(target_)) {
     file_ = open(target_.c_str(), O_WRONLY | O_CLOEXEC);
@@ -41,15 +76,6 @@ OutputFile::OutputFile(std::filesystem::path target) : target_(std::move(target)
     open_temporary(fs::is_regular_file(status));
   }
   if (file_ < 0) reject(errno);
-}
-
-/// The file that a link leads to is written, whether it exists or not, and not the link; /dev/stdout stays
-/// what it says.
-void OutputFile::resolve_links() {
-  constexpr int most_links = 40;
-  std::error_code ignored;
-  for (int i = 0; i < most_links && !in_system_folder(target_) && fs::is_symlink(target_, ignored); ++i)
-    target_ = target_.parent_path() / fs::read_symlink(target_, ignored);
 }
 
 /// A new file beside the target, with the target's permissions or those that new files have.
@@ -113,7 +139,7 @@ void OutputFile::finish() {
 
 void OutputFile::reject(int error) const {
   throw InputError(target_.string() + ": cannot be written: " + std::generic_category().message(error) +
-                   "; name a place that can be written with --out");
+                   "; name a place that can be written");
 }
 
 }  // namespace subdiv

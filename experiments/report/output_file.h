@@ -7,6 +7,12 @@
 
 namespace subdiv {
 
+/// Whether text for this path goes to the program's standard output: "-", /dev/stdout, and others by which
+/// the system knows the same stream, also by links. Not /dev/null, where nothing can be mixed up.
+[[nodiscard]] bool is_standard_output(const std::filesystem::path& path);
+/// Whether what is written to one path is replaced by, or mixed with, what is written to the other.
+[[nodiscard]] bool have_same_target(const std::filesystem::path& a, const std::filesystem::path& b);
+
 /// A file that appears whole or not at all: text goes to a temporary file beside the target, finish() gives
 /// it its name. Without finish() nothing has changed. Memory does not grow with the text.
 class OutputFile {
@@ -27,7 +33,6 @@ class OutputFile {
   void finish();
 
  private:
-  void resolve_links();
   void open_temporary(bool replaces);
   void flush();
   [[noreturn]] void reject(int error) const;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <limits>
 #include <map>
@@ -73,6 +74,7 @@ class Rings : public ::testing::Test {
     expect_rejected(run(arguments), parts);
     EXPECT_EQ(folder_.files(), before) << "nothing half-written";
   }
+  [[nodiscard]] const std::filesystem::path& folder() const { return folder_.path(); }
   [[nodiscard]] MeshFile mesh(const std::string& name) const { return read_mesh(folder_.path() / name); }
   [[nodiscard]] std::string text(const std::string& name) const { return text_of(folder_.path() / name); }
 
@@ -258,6 +260,42 @@ TEST_F(Rings, RefuseSpeeds) {
           {"vertex 1", "fewer steps"});
 }
 
+TEST_F(Rings, SayWhichCauseTakesTheDigits) {
+  const auto with = [&](double scale, double offset, const std::string& sigma) {
+    std::ostringstream text;
+    text.precision(17);
+    std::istringstream lines(fan_text(5));
+    for (std::string line; std::getline(lines, line);) {
+      std::istringstream words(line);
+      std::string keyword;
+      Point3 p{};
+      words >> keyword;
+      if (keyword != "v") {
+        text << line << '\n';
+        continue;
+      }
+      words >> p[0] >> p[1] >> p[2];
+      text << "v " << scale * p[0] + offset << ' ' << scale * p[1] << ' ' << scale * p[2] << '\n';
+    }
+    file("moved.obj", text.str());
+    return Strings{"moved.obj", "--catmull-clark-step", "--sigma", sigma, "-o", "out.obj"};
+  };
+  rejects(with(1, 0, "1e-14"), {"moved.obj", "vertex 1", "take fewer steps"});
+  rejects(with(1, 1e12, "1/2"), {"moved.obj", "vertex 1", "move the mesh to the origin"});
+  rejects(with(1e-320, 0, "1/2"), {"moved.obj", "vertex 1", "scale the mesh up"});
+  rejects(with(1e307, 0, "1/2"), {"moved.obj", "vertex 1", "scale the mesh down"});
+  // Scales in between change nothing but the scale.
+  for (const double scale : {1e-250, 1.0, 1e250}) {
+    Strings arguments = with(scale, 0, "1/2");
+    arguments.emplace_back("--json");
+    const Json report = Json::parse(done(arguments).output);
+    const auto number = [&](const Json& x) { return std::stod(x.get<std::string>()); };
+    EXPECT_NEAR(number(report["holes"][0]["share"]), 0.5, 0.2);
+    EXPECT_GT(number(report["rounding"]), 1e-16 * scale);
+    EXPECT_LT(number(report["rounding"]), 1e-12 * scale);
+  }
+}
+
 TEST_F(Rings, RefuseMeshesAndSayWhatHelps) {
   file("cube.obj",
        "v -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\n"
@@ -299,7 +337,22 @@ TEST_F(Rings, RefuseOutputs) {
   rejects(with({"-o", "out.stl"}), {"out.stl", ".ply"});
   rejects(with({"-o", "out.obj", "--control-points", "out.csv"}), {"--control-points", ".bv"});
   rejects(with({"-o", "out.obj", "--control-points", "out.obj"}), {"--control-points", "another"});
-  rejects(with({"-o", "-", "--json"}), {"--json", "standard output"});
+  for (const std::string same : {"./out.obj", "../out.obj", "linked.obj"}) {
+    std::filesystem::create_directories(folder() / "inside");
+    std::filesystem::remove(folder() / "linked.obj");
+    std::filesystem::create_symlink("out.obj", folder() / "linked.obj");
+    const std::string name = same.starts_with("..") ? "inside/" + same : same;
+    rejects(with({"-o", name, "--control-points", "out.obj"}), {"--control-points", "another"});
+    rejects(with({"-o", "out.obj", "--control-points", name}), {"--control-points", "another"});
+  }
+  for (const std::string output : {"-", "/dev/stdout", "/dev/fd/1"})
+    rejects(with({"-o", output, "--json"}), {"--json", "standard output", "-o " + output});
+  std::filesystem::create_symlink("/dev/stdout", folder() / "stdout.obj");
+  rejects(with({"--control-points", "stdout.obj", "--json"}), {"--json", "standard output", "stdout.obj"});
+  rejects(with({"-o", "-", "--control-points", "stdout.obj"}), {"--control-points", "another"});
+  rejects(with({"-o", "absent/out.obj"}), {"absent/out.obj", "cannot be written"});
+  const ProgramRun unwritten = run(with({"--control-points", "absent/out.obj"}));
+  EXPECT_EQ(unwritten.errors.find("--out"), std::string::npos) << unwritten.errors;
   rejects(with({"-o", "out.svg", "--tessellation", "1000"}), {"--tessellation", "picture"});
   rejects({"missing.obj", "-o", "out.obj"}, {"missing.obj"});
 }
@@ -308,9 +361,22 @@ TEST_F(Rings, WritePicturesAndStandardOutput) {
   file("fan.obj", fan_text(5));
   done({"fan.obj", "--catmull-clark-step", "--sigma", "1/2", "-o", "out.svg"});
   expect_contains(text("out.svg"), "<svg");
-  const ProgramRun result = done({"fan.obj", "--catmull-clark-step", "--sigma", "1/2", "-o", "-"});
-  EXPECT_TRUE(result.output.starts_with("v "));
-  expect_contains(result.errors, "ring_1");
+  const ProgramRun plain = done({"fan.obj", "--catmull-clark-step", "--sigma", "1/2", "-o", "-"});
+  EXPECT_TRUE(plain.output.starts_with("v "));
+  std::filesystem::create_symlink("/dev/stdout", folder() / "shown.obj");
+  for (const std::string output : {"-", "/dev/stdout", "/dev/fd/1", "shown.obj"}) {
+    const ProgramRun result = done({"fan.obj", "--catmull-clark-step", "--sigma", "1/2", "-o", output});
+    EXPECT_EQ(result.output, plain.output) << output;
+    expect_contains(result.errors, "ring_1");
+  }
+  // Patches there, too; the report stays on standard output while they go to files.
+  const ProgramRun patches =
+      done({"fan.obj", "--catmull-clark-step", "--sigma", "1/2", "--control-points", "shown.obj"});
+  EXPECT_TRUE(patches.output.starts_with("v "));
+  EXPECT_TRUE(patches.output.ends_with("end\n"));
+  expect_contains(patches.errors, "ring_1");
+  EXPECT_TRUE(done({"fan.obj", "--catmull-clark-step", "--sigma", "1/2", "-o", "/dev/null"})
+                  .output.starts_with("group"));
 }
 
 }  // namespace

@@ -74,6 +74,39 @@ TEST(OutputFile, LinksLeadToTheFileThatIsWritten) {
   EXPECT_EQ(read_file(path), "text");
 }
 
+TEST(OutputFile, StandardOutputHasManyNames) {
+  const TemporaryFolder folder;
+  for (const char* name : {"-", "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"}) {
+    EXPECT_TRUE(is_standard_output(name) || std::filesystem::equivalent("/dev/fd/1", "/dev/null")) << name;
+  }
+  std::filesystem::create_symlink("/dev/stdout", folder.path() / "link.obj");
+  EXPECT_TRUE(is_standard_output(folder.path() / "link.obj"));
+  EXPECT_FALSE(is_standard_output("/dev/null"));
+  EXPECT_FALSE(is_standard_output(folder.path() / "curve.csv"));
+  EXPECT_TRUE(have_same_target("-", folder.path() / "link.obj"));
+  EXPECT_FALSE(have_same_target("-", folder.path() / "curve.csv"));
+}
+
+TEST(OutputFile, OnePlaceHasManyPaths) {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "curve.csv";
+  std::filesystem::create_directory(folder.path() / "inside");
+  std::filesystem::create_symlink("curve.csv", folder.path() / "link.csv");
+  std::filesystem::create_directory_symlink(folder.path(), folder.path() / "inside" / "out");
+  // Before there is such a file, and after.
+  for (const bool exists : {false, true}) {
+    if (exists) OutputFile(path).finish();
+    for (const char* other :
+         {"./curve.csv", "inside/../curve.csv", "link.csv", "inside/out/curve.csv", "inside/out/link.csv"})
+      EXPECT_TRUE(have_same_target(path, folder.path() / other)) << other << exists;
+    EXPECT_TRUE(have_same_target(std::filesystem::relative(path), path));
+    EXPECT_FALSE(have_same_target(path, folder.path() / "inside" / "curve.csv"));
+  }
+  // Hard links part when one of them is replaced.
+  std::filesystem::create_hard_link(path, folder.path() / "hard.csv");
+  EXPECT_FALSE(have_same_target(path, folder.path() / "hard.csv"));
+}
+
 TEST(OutputFile, AReplacedFileKeepsItsPermissions) {
   const TemporaryFolder folder;
   const auto path = folder.path() / "curve.csv";
@@ -92,8 +125,8 @@ TEST(OutputFile, AReplacedFileKeepsItsPermissions) {
 TEST(OutputFile, WhatCannotBeWrittenIsNamed) {
   const TemporaryFolder folder;
   testing::expect_input_error([&] { OutputFile file(folder.path() / "absent" / "curve.csv"); },
-                              {"absent/curve.csv", "cannot be written", "--out"});
-  testing::expect_input_error([&] { OutputFile file(folder.path()); }, {"directory", "--out"});
+                              {"absent/curve.csv", "cannot be written", "a place that can"});
+  testing::expect_input_error([&] { OutputFile file(folder.path()); }, {"directory", "a place that can"});
   testing::expect_input_error(
       [] {
         OutputFile file("/dev/full");
