@@ -112,7 +112,7 @@ Results run_polyloop_construction() {
       const Chain chain = after(letters, square);
       drawing.panels.push_back({letters,
                                 {{"", plane(chain), true, "filledcurves closed fc rgb '#fff3b0' fs solid"},
-                                 {"", laplace_vectors(chain), false, "lines lw 1 lc rgb '#0072b2'"},
+                                 {"", laplace_vectors(chain), true, "lines lw 1 lc rgb '#0072b2'"},
                                  {"", plane(chain), true, "points pt 7 ps 0.3 lc rgb '#d55e00'"},
                                  {"", square, true, "lines lw 1.5 lc rgb '#009e73'"}}});
     }
