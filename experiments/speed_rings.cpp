@@ -10,6 +10,7 @@
 #include "analysis/adjustable_speed/sector_form.h"
 #include "experiments/mesh_file.h"
 #include "experiments/ring_shapes.h"
+#include "experiments/speed_connectivity.h"
 #include "schemes/adjustable_speed/limit_point.h"
 #include "schemes/algebra/rational_function.h"
 #include "schemes/evaluate/bezier_patch.h"
@@ -39,6 +40,12 @@ const std::array table{
         "derivatives up to the second in the parameters of the knots, so do those of neighbouring sectors, "
         "and the ring and the tensor border of the refined net, which the next ring is made of, also when "
         "that net goes over to the knots of another speed tau."},
+    ClaimHead{"speed.combinatorial", "speed", "II",
+              "Combinatorially, this refinement step mimics Catmull-Clark subdivision", ClaimKind::exact,
+              "For the valences 3 .. 40, all sectors being alike: the refined net's three rings of quads are "
+              "those of the two rings with every face split into four, place by place: new vertices, edge "
+              "points and face points; and over Q(sigma) no new point reads a control point that "
+              "Catmull-Clark's at the same place does not read."},
     ClaimHead{
         "speed.completion", "speed", "I",
         "the bi-3 (bicubic) completion of a surface after one or two subdivision steps", ClaimKind::exact,
@@ -75,31 +82,13 @@ const ClaimHead& claim(const std::string& id) { return head(table, id); }
 
 // ---- Joints
 
-/// Whether the joints of one ring hold for all nets; forms of sector k are turned by k.
-bool rings_join() {
+/// Whether the border stays when the net of one speed goes over to the knots of another.
+bool border_is_kept() {
   const Function s = Function::variable(0);
   const Function tau = Function::variable(3);
-  const Function q = Function(1) - s;
-  const RingRules<Function> rules = ring_rules(s);
-  const FormNet<Function> net;
-  const FormNet<Function> refined = step_of_speed(s, {Function::variable(1), Function::variable(2)});
-  const auto border = border_points<Function>(net, rules, 0);
-  const auto inner = border_points<Function>(refined, rules, 0);
-  const RingSector<Form> ring = ring_sector(border, inner, s);
-  BezierPatch<Form> beyond{};
-  std::ranges::transform(ring.first_side, beyond.begin(), [](const Form& f) { return turned(f, 1); });
-  const auto joins = [](const BezierPatch<Form>& one, PatchEdge edge, const Function& width,
-                        const BezierPatch<Form>& other, PatchEdge other_edge, const Function& other_width) {
-    return joins_c2(edge_layers(one, edge), width, edge_layers(other, other_edge), other_width);
-  };
-  const bool inside = joins(ring.corner, PatchEdge::last_j, s, ring.first_side, PatchEdge::first_j, q) &&
-                      joins(ring.corner, PatchEdge::last_i, s, ring.next_side, PatchEdge::first_i, q);
-  const bool sectors = joins(ring.next_side, PatchEdge::last_i, q, beyond, PatchEdge::last_j, q);
-  const bool inwards = joins(ring.first_side, PatchEdge::last_i, s, inner, PatchEdge::first_i, q) &&
-                       joins(ring.next_side, PatchEdge::last_j, s, inner, PatchEdge::first_j, q);
   const FormNet<Function> changed = change_of_knots(unit_speed_knots(s), unit_speed_knots(tau));
-  const bool kept = border_points<Function>(changed, ring_rules(tau), 0) == border;
-  return inside && sectors && inwards && kept;
+  return border_points<Function>(changed, ring_rules(tau), 0) ==
+         border_points<Function>(FormNet<Function>(), ring_rules(s), 0);
 }
 
 struct CapJoints {
@@ -285,13 +274,45 @@ bool counts_agree() {
   return same && refined_places(Rational(1, 2)).size() == 12;
 }
 
+bool steps_mimic_catmull_clark() {
+  const std::vector<SectorStencil<Function>> rules = refined_places(Function::variable(0));
+  constexpr int most = 40;
+  bool same = true;
+  for (int n = 3; n <= most; ++n) same = same && mimics_catmull_clark(n, rules);
+  return same;
+}
+
 }  // namespace
 
 std::span<const ClaimHead> speed_ring_heads() { return table; }
 
+RingJoints ring_joints(const RationalFunction& sigma, const FormNet<RationalFunction>& refined) {
+  const Function q = Function(1) - sigma;
+  const RingRules<Function> rules = ring_rules(sigma);
+  const auto border = border_points<Function>(FormNet<Function>(), rules, 0);
+  const auto inner = border_points<Function>(refined, rules, 0);
+  const RingSector<Form> ring = ring_sector(border, inner, sigma);
+  BezierPatch<Form> beyond{};  // forms of sector k are turned by k
+  std::ranges::transform(ring.first_side, beyond.begin(), [](const Form& f) { return turned(f, 1); });
+  const auto joins = [](const BezierPatch<Form>& one, PatchEdge edge, const Function& width,
+                        const BezierPatch<Form>& other, PatchEdge other_edge, const Function& other_width) {
+    return joins_c2(edge_layers(one, edge), width, edge_layers(other, other_edge), other_width);
+  };
+  return {.inside = joins(ring.corner, PatchEdge::last_j, sigma, ring.first_side, PatchEdge::first_j, q) &&
+                    joins(ring.corner, PatchEdge::last_i, sigma, ring.next_side, PatchEdge::first_i, q),
+          .sectors = joins(ring.next_side, PatchEdge::last_i, q, beyond, PatchEdge::last_j, q),
+          .inwards = joins(ring.first_side, PatchEdge::last_i, sigma, inner, PatchEdge::first_i, q) &&
+                     joins(ring.next_side, PatchEdge::last_j, sigma, inner, PatchEdge::first_j, q)};
+}
+
 Results run_speed_rings() {
   Results results;
-  results.claims.push_back(settle_statement(claim("speed.rings.c2"), rings_join(), "true",
+  const Function s = Function::variable(0);
+  const RingJoints joints = ring_joints(s, step_of_speed(s, {Function::variable(1), Function::variable(2)}));
+  results.claims.push_back(settle_statement(
+      claim("speed.combinatorial"), steps_mimic_catmull_clark(), "the same vertices, edges and faces",
+      "From the second ring on the step reads fewer points than Catmull-Clark's."));
+  results.claims.push_back(settle_statement(claim("speed.rings.c2"), joints.all() && border_is_kept(), "true",
                                             "For any weights of the vertex, whatever the speeds."));
   const CapJoints cap = cap_joints();
   results.claims.push_back(settle_statement(

@@ -2,11 +2,14 @@
 
 #include <cmath>
 #include <filesystem>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "experiments/mesh_file.h"
 #include "experiments/ring_shapes.h"
+#include "experiments/speed_connectivity.h"
 #include "schemes/evaluate/bezier_patch.h"
 #include "tests/experiments/find_claim.h"
 
@@ -33,6 +36,31 @@ TEST(SpeedRings, WhatIsPrintedHolds) {
                                                   : Verdict::established)
         << claim.head.id;
   }
+}
+
+// What does not join is told: the refined net of another speed ends elsewhere, at its own border.
+TEST(SpeedRings, JointsWithANetOfAnotherSpeedFail) {
+  using Function = RationalFunction;
+  const Function s = Function::variable(0);
+  const VertexWeights<Function> weights{Function::variable(1), Function::variable(2)};
+  const RingJoints right = ring_joints(s, step_of_speed(s, weights));
+  EXPECT_TRUE(right.inside);
+  EXPECT_TRUE(right.sectors);
+  EXPECT_TRUE(right.inwards);
+  EXPECT_TRUE(right.all());
+  const RingJoints wrong = ring_joints(s, step_of_speed(Function::variable(3), weights));
+  EXPECT_FALSE(wrong.inwards);
+  EXPECT_FALSE(wrong.all());
+  for (const RingJoints& joints : {RingJoints{false, true, true}, {true, false, true}, {true, true, false}})
+    EXPECT_FALSE(joints.all());
+}
+
+// Points that are no Catmull-Clark points by their places, or by what they read, are told.
+TEST(SpeedRings, PlacesOfOtherPointsDoNotMimicCatmullClark) {
+  std::vector<SectorStencil<RationalFunction>> rules = refined_places(RationalFunction::variable(0));
+  for (const int n : {3, 4, 5, 8}) EXPECT_TRUE(mimics_catmull_clark(n, rules)) << n;
+  std::swap(rules[0], rules[1]);  // an edge point and a face point
+  EXPECT_FALSE(mimics_catmull_clark(5, rules));
 }
 
 // The exact angles at the vertex against normals of the patches in double, from points close to it.
