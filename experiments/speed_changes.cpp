@@ -118,6 +118,24 @@ const Values& regular_point(const SectorNet<Values>& net, int i, int j) {
   return at.place < 0 ? net.centre() : net.at(at.sector, at.place);
 }
 
+/// Coefficients of a sector's three patches that depend on the weights of the refined vertex.
+std::size_t coefficients_of_the_vertex_rule() {
+  const Net step = step_of_speed<Function>(s, {speed_variables::beta, speed_variables::gamma});
+  const RingSector<Form> ring = ring_sector(border_of(Net(), s), border_of(step, s), s);
+  const auto depends = [](const Form& form) {
+    const auto uses = [](const Function& f) {
+      return !f.derivative(1).is_zero() || !f.derivative(2).is_zero();  // beta, gamma
+    };
+    const auto weight_uses = [&](const auto& entry) { return uses(entry.second); };
+    return uses(form.vertex) || std::ranges::any_of(form.mean, weight_uses) ||
+           std::ranges::any_of(form.at, weight_uses);
+  };
+  std::size_t count = 0;
+  for (const auto* patch : {&ring.corner, &ring.first_side, &ring.next_side})
+    count += static_cast<std::size_t>(std::ranges::count_if(*patch, depends));
+  return count;
+}
+
 /// At a regular vertex: the patches of the ring are the spline's own, by its polar form over [qa, a] and [0,
 /// qa], though only the tensor borders (13) of the net and of the refined one go in.
 bool ring_is_the_spline() {
@@ -189,9 +207,16 @@ std::vector<ClaimHead> speed_change_heads() {
       printed(
           "speed.appendix", "V",
           "Only the formulas of Appendix V-C are needed to output nested surface rings in BB form",
-          "The three patches of a sector from (13), for the net and for the refined one, and de Casteljau's "
-          "algorithm, at a regular vertex with 25 independent control points: against the spline's Bezier "
-          "coefficients by its polar form, over Q(sigma). For other valences: figure.speed.3."),
+          "Read: of the appendix's formulas (10) to (13), only (13). The three patches of a sector from "
+          "(13), "
+          "for the net and for the one refined by (1) to (3), and de Casteljau's algorithm, at a regular "
+          "vertex with 25 independent control points: against the spline's Bezier coefficients by its polar "
+          "form, over Q(sigma). For other valences: figure.speed.3."),
+      finding(
+          "speed.appendix.alone", "speed V",
+          "Read: no formulas at all but (13). With any weights beta and gamma of the refined vertex, over "
+          "Q(sigma, beta, gamma) and for all valences: the coefficients of a ring's sector that depend on "
+          "beta or gamma, which V-C does not contain."),
       printed("speed.limit-speed.border", "IV",
               "in the limit σ → 1, we obtain .. a finite bi-3 cap consisting of the bi-3 tensor-border",
               capped + "All coefficients of the corner patch but that at the vertex."),
@@ -228,7 +253,12 @@ void add_speed_changes(Results& results, std::span<const ClaimHead> heads) {
                                     "Beyond, and at every higher speed, points of the converted net are "
                                     "extrapolated, the farther the faster: the weight of p11 in p7 is "
                                     "1/(36 σ̄^6)."));
-  statement("speed.appendix", ring_is_the_spline(), "the spline's own coefficients");
+  statement("speed.appendix", ring_is_the_spline(), "the spline's own coefficients",
+            "None of (10) to (12) is used. But (13) is applied to the refined net too, and its rules (1) to "
+            "(3) are not in V-C: taken literally the sentence is false (speed.appendix.alone).");
+  const std::size_t open = coefficients_of_the_vertex_rule();
+  statement("speed.appendix.alone", open > 0, fmt::format("{} of 48 coefficients", open),
+            "They lie on the ring's inner border, which (13) gives for the refined net alone.");
 
   const Net step = composed(step_of_speed(s, printed_vertex_weights(s)), converted);
   const RingSector<Form> ring = ring_sector(own, border_of(step, s), s);

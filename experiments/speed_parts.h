@@ -33,6 +33,11 @@ inline const std::vector<std::string> names{"σ", "β", "γ", "n", "τ"};
 
 /// Paper (1) with n and the speed free.
 [[nodiscard]] VertexWeights<RationalFunction> printed_vertex_weights(const RationalFunction& speed);
+/// f > 0 for all sigma in (0, 1) and all real n >= 3, f in sigma and n alone: in powers of n - 3 the constant
+/// term of the numerator has one strict sign for all these sigma, every other coefficient has it too or is 0,
+/// and so it is with the denominator, with the same sign. false: not so, or not seen so.
+[[nodiscard]] bool is_positive_at_all_valences(const RationalFunction& f);
+
 /// (4 sum of edges + sum of faces + n^2 v)/(n (n + 5)): Catmull-Clark's limit point.
 [[nodiscard]] SectorForm<RationalFunction> catmull_clark_limit();
 /// The limit point of adjustable speed by the paper's formulas for beta and gamma with a breve.

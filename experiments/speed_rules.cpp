@@ -200,16 +200,6 @@ bool symmetric_under_reflection(const std::string& k) {
   return same;
 }
 
-bool vertex_weights_are_positive() {
-  const RealInterval speeds = open_interval(Rational(0), Rational(1));
-  // With x = sigma q, (1 + q)^2 <= 4: at n = 3 the denominator is 9 - (1 + q)^2, and it grows with n; so
-  // beta and gamma fall with n.
-  const VertexWeights<Function> at_3 = vertex_weights(s, 3);
-  return is_positive(at_3.beta, speeds) && is_positive(at_3.gamma, speeds) &&
-         is_positive(Function(1) - at_3.beta - at_3.gamma, speeds) &&
-         is_positive(Function(9) - (Function(1) + q) * (Function(1) + q), speeds);
-}
-
 void add_table(Results& results) {
   const PrintedTable& recovered = recovered_refinement();
   Series series{"speed-weights", {"k", "ij", "weight", "in powers of s"}, {}};
@@ -244,7 +234,9 @@ void add_rules(Results& results) {
   const FormNet<Function> step = step_of_speed<Function>(s, {speed_variables::beta, speed_variables::gamma});
   const RealInterval speeds = open_interval(Rational(0), Rational(1));
   bool sums = step.centre().sum() == Function(1);
-  bool positive = vertex_weights_are_positive();
+  const VertexWeights<Function> own = printed_vertex_weights(s);
+  bool positive = is_positive_at_all_valences(own.beta) && is_positive_at_all_valences(own.gamma) &&
+                  is_positive_at_all_valences(Function(1) - own.beta - own.gamma);
   bool inside = true;
   for (const auto& [k, rule] : rules) {
     sums = sums && rule.sum() == Function(1);
@@ -300,7 +292,28 @@ void add_conversions(Results& results) {
       settle_not_reproducible(claim("speed.doo-sabin"), "The paper gives no formula of the variant."));
 }
 
+/// 1 or -1 when p has this sign for all sigma in (0, 1) and n >= 3, as is_positive_at_all_valences sees it.
+int sign_at_all_valences(const Polynomial& p) {
+  const RealInterval speeds = open_interval(Rational(0), Rational(1));
+  constexpr int valence = 3;  // x_3, and the least n
+  const std::vector<Polynomial> parts =
+      p.substitute(valence, Polynomial::variable(valence) + Polynomial(3)).coefficients_in(valence);
+  for (const int sign : {1, -1}) {
+    const auto has_sign = [&](const Polynomial& part) {
+      return is_positive(Function(Polynomial(sign) * part), speeds);
+    };
+    if (has_sign(parts.front()) &&
+        std::ranges::all_of(parts, [&](const Polynomial& part) { return part.is_zero() || has_sign(part); }))
+      return sign;
+  }
+  return 0;
+}
+
 }  // namespace
+
+bool is_positive_at_all_valences(const RationalFunction& f) {
+  return sign_at_all_valences(f.numerator()) * sign_at_all_valences(f.denominator()) == 1;
+}
 
 std::span<const ClaimHead> speed_rule_heads() { return table(); }
 

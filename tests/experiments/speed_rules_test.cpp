@@ -1,9 +1,11 @@
 #include "experiments/speed_rules.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 #include <set>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -133,6 +135,54 @@ TEST(SpeedRules, ConversionIsConvexUpToItsEnd) {
     }
     EXPECT_EQ(least >= 0, sigma < end) << sigma;
   }
+}
+
+TEST(SpeedRules, WeightsOfTheVertexArePositiveAtAllValences) {
+  using Function = RationalFunction;
+  using speed_variables::sigma;
+  using speed_variables::valence;
+  const VertexWeights<Function> own = printed_vertex_weights(sigma);
+  const Function alpha = Function(1) - own.beta - own.gamma;
+  for (const Function& weight : {own.beta, own.gamma, alpha}) {
+    EXPECT_TRUE(is_positive_at_all_valences(weight));
+    EXPECT_FALSE(is_positive_at_all_valences(-weight));
+    for (const int n : {3, 4, 5, 50}) {
+      for (const double s : {1e-6, 0.3, 0.7, 1 - 1e-6})
+        EXPECT_GT(weight.evaluate<double>(std::array{s, 0.0, 0.0, static_cast<double>(n)}), 0);
+    }
+  }
+  // Weights that are not: negative at some speed, at valence 3 alone, beyond one valence, with a pole.
+  EXPECT_FALSE(is_positive_at_all_valences(own.beta - own.gamma * Function(8)));
+  EXPECT_FALSE(is_positive_at_all_valences(alpha - Function(Rational(1, 2))));
+  EXPECT_FALSE(is_positive_at_all_valences(own.gamma * (valence - Function(3))));
+  EXPECT_FALSE(is_positive_at_all_valences(own.gamma * (Function(20) - valence)));
+  EXPECT_FALSE(is_positive_at_all_valences(own.beta / (sigma - Function(Rational(1, 2)))));
+  EXPECT_FALSE(is_positive_at_all_valences(Function(0)));
+  // Two signs that cancel.
+  EXPECT_TRUE(is_positive_at_all_valences(-own.beta / (sigma - Function(1))));
+}
+
+TEST(SpeedRules, TheVerticesRuleIsNeededForRings) {
+  const Claim& appendix = test::find_claim(results().claims, "speed.appendix");
+  EXPECT_EQ(appendix.verdict, Verdict::reproduced);
+  EXPECT_NE(appendix.note.find("(1) to (3)"), std::string::npos);
+  // In numbers: two rings of one net with different weights.
+  const SectorNet<Point> net = some_net(5, 3);
+  const RingRules<double> rules = ring_rules(0.6);
+  const auto ring = [&](const VertexWeights<double>& weights) {
+    return ring_sector(border_points(net, rules, 0),
+                       border_points(refined_net(net, rules, weights), rules, 0), 0.6);
+  };
+  const auto a = ring({0.3, 0.2});
+  const auto b = ring({0.2, 0.4});
+  int different = 0;
+  for (std::size_t k = 0; k < 16; ++k) {
+    for (const auto patch :
+         {&RingSector<Point>::corner, &RingSector<Point>::first_side, &RingSector<Point>::next_side})
+      different += std::abs((a.*patch)[k][0] - (b.*patch)[k][0]) > 1e-12 ? 1 : 0;
+  }
+  EXPECT_EQ(test::find_claim(results().claims, "speed.appendix.alone").exact,
+            std::to_string(different) + " of 48 coefficients");
 }
 
 TEST(SpeedRules, RangeOfVertexWeights) {
