@@ -1,5 +1,6 @@
 #include "experiments/speed_characteristic_ring.h"
 
+#include <array>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -8,6 +9,7 @@
 
 #include "analysis/adjustable_speed/characteristic_ring_joins.h"
 #include "analysis/adjustable_speed/characteristic_ring_map.h"
+#include "analysis/adjustable_speed/contraction.h"
 #include "analysis/adjustable_speed/ring_conditions.h"
 #include "analysis/adjustable_speed/ring_theorem.h"
 #include "schemes/algebra/rational_function.h"
@@ -39,7 +41,10 @@ std::vector<ClaimHead> make_heads() {
       shapes +
           "the patch at the next spoke is the mirror image in the bisectrix of the one at the first "
           "spoke, the corner patch its own.");
-  add("speed.ring.signs", "III", "n = 3, 5, 6, .., 20 and σ ∈ [1/10, 9/10]",
+  add("speed.ring.signs", "III",
+      "Regularity and injectivity of characteristic ring have been checked numerically for n = 3, 5, 6, . . "
+      ". "
+      ", 20 and σ ∈ [1/10, 9/10]",
       differences +
           "For these valences and all speeds of the interval, by outward-rounded Taylor expansions "
           "on parts of it.");
@@ -56,6 +61,11 @@ std::vector<ClaimHead> make_heads() {
       shapes +
           "beta and gamma occur in the vertex's rule alone, as factors of means over all sectors: of w, T w, "
           ".., T^(n-1) w with the turn T by 2 pi/n, which vanish for all w as T - 1 is regular.");
+  add("speed.contraction", "abstract",
+      "Other speeds are useful to vary the contraction near extraordinary points",
+      "lambda as a function of sigma at a fixed valence: its derivative over Q(sigma, v) by implicit "
+      "differentiation of v^2 = (1 + c)(q + sigma v), its sign on the domain of speed.ring.theorem, which "
+      "contains all speeds and valences n >= 3; the roots of (7) at sigma = 0 and sigma = 1.");
   heads.push_back(
       finding("figure.speed.7", "speed figure 7",
               "The construction of one sector, n = 5, sigma = 2/3: coefficients of the tensor border "
@@ -130,8 +140,7 @@ void add_theorem(Results& results) {
       "overlap takes the winding number too."));
 
   // T - 1 for the turn T = [c, -2 sin^2; 2 cos^2, c] in these coordinates: its determinant is 2 - 2 c.
-  const Function x0 = Function::variable(0);
-  const RingShape<Function> shape{Function(1) - x0 * Function::variable(1), Function(2) - x0};
+  const RingShape<Function> shape = ring_coordinates();
   const Function d = shape.one_plus_cosine();
   const Function c_less_one = d - Function(2);
   DomainSigns signs(ring_shapes());
@@ -139,6 +148,34 @@ void add_theorem(Results& results) {
       signs.sign(c_less_one * c_less_one + d * (Function(2) - d)).kind == DomainSign::Kind::positive;
   results.claims.push_back(settle_statement(claim("speed.ring.free"), regular, regular ? "true" : "false",
                                             "det(T - 1) = 2 - 2 cos(2 pi/n) > 0."));
+}
+
+void add_contraction(Results& results) {
+  // v(sigma) at fixed d = 1 + c, from F(sigma, v) = v^2 - d (q + sigma v) = 0.
+  const RingShape<Function> shape{Function::variable(0), Function::variable(1)};
+  const Function d = Function::variable(2);
+  const Function condition = shape.v * shape.v - d * shape.width();
+  const Function slope = -(condition.derivative(0) / condition.derivative(1));
+  const Function rate = shape.eigenvalue().derivative(0) + shape.eigenvalue().derivative(1) * slope;
+  const std::array<Function, 3> at_shape{shape.sigma, shape.v, shape.one_plus_cosine()};
+  const bool derived = rate.evaluate<Function>(at_shape) == contraction_rate(shape);
+  DomainSigns signs(ring_shapes());
+  const bool falls = signs.sign(contraction_rate(ring_coordinates())).kind == DomainSign::Kind::negative;
+  // (7) in lambda, x_3: (lambda - 1)^2 at sigma = 0, lambda^2 at sigma = 1, whatever c is.
+  const Function lambda = Function::variable(3);
+  const auto quadratic = [&](const Function& sigma) {
+    const Function q = Function(1) - sigma;
+    return lambda * lambda - q * (sigma * sigma * d + Function(2) * q) * lambda + q * q * q * q;
+  };
+  const bool ends = quadratic(Function(0)) == (lambda - Function(1)) * (lambda - Function(1)) &&
+                    quadratic(Function(1)) == lambda * lambda;
+  const bool holds = derived && falls && ends;
+  results.claims.push_back(settle_statement(
+      claim("speed.contraction"), holds,
+      holds ? "lambda falls strictly from 1 to 0 with sigma, for every n >= 3" : "false",
+      "dlambda/dsigma = -(2 q^2 (2 - v) + q sigma v (5 - 2 v) + sigma^2 v^2)/(2 q + sigma v) with v < 2. So "
+      "every contraction in (0, 1) is that of one speed, at every valence. What a contraction is useful for "
+      "is the paper's opinion."));
 }
 
 }  // namespace
@@ -151,6 +188,7 @@ Results run_speed_characteristic_ring() {
   add_joins(results);
   add_signs(results);
   add_theorem(results);
+  add_contraction(results);
   add_ring_construction_figure(results, claim("figure.speed.7"));
   add_ring_speeds_figure(results, claim("figure.speed.8"));
   return results;

@@ -6,6 +6,8 @@
 #include <numbers>
 
 #include "analysis/adjustable_speed/characteristic_ring_map.h"
+#include "analysis/adjustable_speed/contraction.h"
+#include "analysis/adjustable_speed/ring_theorem.h"
 #include "experiments/printed_border.h"
 #include "experiments/speed_arrays.h"
 #include "schemes/algebra/rational_function.h"
@@ -26,13 +28,51 @@ TEST(SpeedCharacteristicRingClaims, AreSettledAsTheTheorySays) {
   }
   for (const char* id : {"speed.eq9.t10", "speed.eq9.t20", "speed.eq9.t30", "speed.eq9.t11", "speed.eq9.t21",
                          "speed.eq9.t31", "speed.eq9.t32", "speed.ring.c2", "speed.ring.two-patches",
-                         "speed.ring.signs", "speed.ring.injective", "speed.ring.free"})
+                         "speed.ring.signs", "speed.ring.injective", "speed.ring.free", "speed.contraction"})
     EXPECT_EQ(test::find_claim(claims, id).verdict, Verdict::reproduced) << id;
   for (const char* id : {"speed.eq9.t22", "speed.eq9.c2", "speed.eq12"})
     EXPECT_EQ(test::find_claim(claims, id).verdict, Verdict::refuted) << id;
   for (const char* id : {"speed.eq12.corrected", "speed.eq12.digits", "speed.eq12.loss", "speed.ring.theorem",
                          "figure.speed.7", "figure.speed.8"})
     EXPECT_EQ(test::find_claim(claims, id).verdict, Verdict::established) << id;
+}
+
+TEST(SpeedCharacteristicRingClaims, TheSentenceOnSamplesIsQuoted) {
+  const ClaimHead& signs = head(speed_characteristic_ring_heads(), "speed.ring.signs");
+  EXPECT_TRUE(signs.printed->starts_with("Regularity and injectivity of characteristic ring"));
+}
+
+TEST(SpeedCharacteristicRingClaims, LossesNameTheirSpeeds) {
+  const ClaimHead& loss = head(speed_characteristic_ring_heads(), "speed.eq12.loss");
+  for (const char* speed : {"1/1000,", "1/2,", "99999/100000"})
+    EXPECT_NE(loss.definition.find(speed), std::string::npos) << speed;
+}
+
+TEST(Contraction, IsTheSlopeOfLambda) {
+  for (const int n : {3, 4, 5, 8, 100}) {
+    double before = 1;
+    for (int k = 1; k < 200; ++k) {
+      const double sigma = k / 200.0;
+      const double lambda = ring_shape(sigma, n).eigenvalue();
+      EXPECT_LT(lambda, before);
+      before = lambda;
+      constexpr double h = 1e-6;
+      const double slope =
+          (ring_shape(sigma + h, n).eigenvalue() - ring_shape(sigma - h, n).eigenvalue()) / (2 * h);
+      EXPECT_NEAR(contraction_rate(ring_shape(sigma, n)), slope, 1e-7) << n << ' ' << sigma;
+    }
+    EXPECT_NEAR(ring_shape(1e-12, n).eigenvalue(), 1, 1e-5);
+    EXPECT_NEAR(ring_shape(1 - 1e-12, n).eigenvalue(), 0, 1e-11);
+  }
+}
+
+TEST(Contraction, HasItsSignOnShapesAlone) {
+  // Far beyond v = 2, where no valence is, lambda grows with sigma.
+  EXPECT_GT(contraction_rate(RingShape<double>{0.01, 4}), 0);
+  PlaneDomain wider = ring_shapes();
+  wider.box.lower = {Rational(-3), Rational(-2)};
+  wider.positive = {ring_coordinates().sigma.numerator()};
+  EXPECT_EQ(DomainSigns(wider).sign(contraction_rate(ring_coordinates())).kind, DomainSign::Kind::not_strict);
 }
 
 TEST(SpeedArrays, AreThePapers) {
