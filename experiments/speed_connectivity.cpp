@@ -96,17 +96,15 @@ bool mimics_catmull_clark(int valence, const std::vector<SectorStencil<RationalF
   const std::vector<int> around = split_places(net, split);
   if (!is_fan_within(split, around)) return false;
   const std::vector<FanPlace> places = sector_places(4, refined_rings);
-  const int size = static_cast<int>(places.size());
   bool same = read_by_catmull_clark(net, 0) == vertex_reads(valence);
+  auto point = around.begin();  // past the vertex: sector by sector, place by place
   for (int sector = 0; sector < valence; ++sector) {
-    for (int p = 0; p < size; ++p) {
-      const FanPlace& place = places[static_cast<std::size_t>(p)];
-      const int point = around[static_cast<std::size_t>(1 + sector * size + p)];
-      const int odd = place.a % 2 + place.b % 2;  // 0 at vertices, 1 on edges, 2 in faces
-      const int kind = point < net.vertices() ? 0 : point < net.vertices() + net.edges() ? 1 : 2;
+    for (std::size_t p = 0; p < places.size(); ++p) {
+      const int number = *++point;
+      const int odd = places[p].a % 2 + places[p].b % 2;  // 0 at vertices, 1 on edges, 2 in faces
+      const int kind = number < net.vertices() ? 0 : number < net.vertices() + net.edges() ? 1 : 2;
       same = same && kind == odd &&
-             std::ranges::includes(read_by_catmull_clark(net, point),
-                                   reads(rules[static_cast<std::size_t>(p)], valence, sector));
+             std::ranges::includes(read_by_catmull_clark(net, number), reads(rules[p], valence, sector));
     }
   }
   return same;

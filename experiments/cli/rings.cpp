@@ -157,7 +157,8 @@ std::string report_text(const RingSurface& surface, const RingsOptions& options)
     text +=
         fmt::format("{:>8}{:>9}{:>14.6g}{:>22.6g}\n", hole.vertex + 1, hole.valence, hole.size, share(hole));
   }
-  return text + fmt::format("\ncoordinates of rings are rounded by at most {:.1e}\n", surface.rounding);
+  return text + fmt::format("\ncoordinates of rings are rounded by at most {:.1e}{}\n", surface.rounding,
+                            options.catmull_clark_steps > 0 ? ", Catmull-Clark steps apart" : "");
 }
 
 void write_surface_file(OutputFile& file, Output output, const RingSurface& surface,
