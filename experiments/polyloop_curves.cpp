@@ -13,11 +13,12 @@ const std::string share_of = "Share, over " + simple_polygons_text() + ", of tho
 const std::string by_masks = "By limit masks of *J_s, s = 1 - (old parameter)/8: ";
 const std::string five = "Polygons of level 5, exact in doubles. ";
 const std::string hausdorff =
-    "The Hausdorff distance between L and the curve's polygon of level 5, by bounds that are refined until "
-    "they decide by a margin far above rounding. ";
+    "The Hausdorff distance between L and the curve's polygon of level 5, by bounds in double that are "
+    "refined "
+    "until they decide by a margin far above rounding; rounding is not enclosed. ";
 const std::string jerk =
-    "The normal jerk of edge BC is the part of -A + 3B - 3C + D across it; polygons of level 5, compared by "
-    "a margin far above rounding. ";
+    "The normal jerk of edge BC is the part of -A + 3B - 3C + D across it; polygons of level 5, which "
+    "doubles hold exactly, jerks in intervals. ";
 const std::string area_error =
     "E = area of the limit curve / area of the polygon - 1, exact by the area mask. ";
 

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "analysis/polyloop/enclosed_jerk.h"
 #include "experiments/polyloop_curves.h"
 #include "experiments/polyloop_shapes.h"
 
@@ -19,44 +20,46 @@ Claim share(const std::string& id, int count, std::string note = "") {
   return settle_share(head_of(id), count, family_size(), std::move(note), Rigour::certified);
 }
 
-std::vector<NormalJerk> jerks_of(const Scheme<Rational>& scheme) {
-  std::vector<NormalJerk> result;
+using Jerks = std::vector<EnclosedNormalJerk>;  // of each polygon
+
+Jerks jerks_of(const Scheme<Rational>& scheme) {
+  Jerks result;
   for (const PlanePolygon& polygon : simple_polygons())
-    result.push_back(normal_jerk(refined(scheme, polygon)));
+    result.push_back(enclosed_normal_jerk(refined(scheme, polygon)));
   return result;
 }
 
 /// How many of the pairs (a_i, b_i) have a below `factor` b.
-int below(const std::vector<NormalJerk>& a, const std::vector<NormalJerk>& b, double factor = 1) {
-  constexpr double margin = 1 - 1e-9;
+int below(const Jerks& a, const Jerks& b, const Rational& factor = Rational(1)) {
   int count = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) count += a[i].largest < margin * factor * b[i].largest ? 1 : 0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    count += certainly_less(a[i].largest, Interval(factor) * b[i].largest) ? 1 : 0;
   return count;
 }
 
 /// The least, the median and the greatest of a_i / b_i.
-std::string ratios_text(const std::vector<NormalJerk>& a, const std::vector<NormalJerk>& b) {
+std::string ratios_text(const Jerks& a, const Jerks& b) {
   std::vector<double> ratios;
-  for (std::size_t i = 0; i < a.size(); ++i) ratios.push_back(a[i].largest / b[i].largest);
+  for (std::size_t i = 0; i < a.size(); ++i)
+    ratios.push_back(a[i].largest.to_double() / b[i].largest.to_double());
   std::ranges::sort(ratios);
   return fmt::format("The ratio runs from {:.3g} to {:.3g}, median {:.3g}.", ratios.front(), ratios.back(),
                      ratios[ratios.size() / 2]);
 }
 
-double irregularity(const NormalJerk& of) { return of.largest / of.mean; }
+Interval irregularity(const EnclosedNormalJerk& of) { return of.largest / of.mean; }
 
 void add_jerks(Results& results) {
-  std::vector<std::vector<NormalJerk>> of;
+  std::vector<Jerks> of;
   for (const std::string& name : names()) of.push_back(jerks_of(polyloop_curve(name)));
-  const std::vector<NormalJerk>& cubic = of.front();
-  const std::vector<NormalJerk>& four_point = of.back();
-  const std::vector<NormalJerk> jm = jerks_of(polyloop_curve("Jm"));
+  const Jerks& cubic = of.front();
+  const Jerks& four_point = of.back();
+  const Jerks jm = jerks_of(polyloop_curve("Jm"));
   Scheme<Rational> backwards = polyloop_curve("Jm");
   std::ranges::reverse(backwards.steps);
-  const std::vector<NormalJerk> reversed = jerks_of(backwards);
-  constexpr double barely = 0.05;
-  constexpr double unnoticed = 0.1;
-  constexpr double margin = 1e-9;
+  const Jerks reversed = jerks_of(backwards);
+  const Rational barely(1, 20);
+  const Rational unnoticed(1, 10);
   results.claims.push_back(
       share("polyloops.jerk.j0", below(cubic, four_point, barely),
             ratios_text(cubic, four_point) + " It is about halved by each further level."));
@@ -64,16 +67,16 @@ void add_jerks(Results& results) {
   int rising = 0;
   int both = 0;
   for (std::size_t i = 0; i < cubic.size(); ++i) {
-    const double ratio = irregularity(four_point[i]);
-    bool most = ratio > 2 + margin;
+    const Interval ratio = irregularity(four_point[i]);
+    bool most = certainly_less(Interval(2), ratio);
     bool rises = true;
     for (std::size_t k = 0; k + 1 < of.size(); ++k) {
-      most = most && irregularity(of[k][i]) + margin < ratio;
-      rises = rises && of[k][i].largest * (1 + margin) < of[k + 1][i].largest;
+      most = most && certainly_less(irregularity(of[k][i]), ratio);
+      rises = rises && certainly_less(of[k][i].largest, of[k + 1][i].largest);
     }
     irregular += most ? 1 : 0;
     rising += rises ? 1 : 0;
-    both += reversed[i].largest * (1 + margin) < std::min(cubic[i].largest, jm[i].largest) ? 1 : 0;
+    both += certainly_less(reversed[i].largest, min(cubic[i].largest, jm[i].largest)) ? 1 : 0;
   }
   results.claims.push_back(share("polyloops.jerk.j8", irregular));
   results.claims.push_back(share("polyloops.jerk.rising", rising));
