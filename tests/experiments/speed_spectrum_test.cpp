@@ -30,7 +30,7 @@ TEST(SpeedSpectrumClaims, FigureShowsLambdaOfCatmullClark) {
   const Results results = run_speed_spectrum();
   const Series& series = test::find_series(results, "speed-lambda");
   const auto& half = series.rows.at(49);
-  EXPECT_EQ(half.at(0), "0.5");
+  EXPECT_EQ(std::stod(half.at(0)), 0.5);
   // (5 + c + sqrt((9 + c)(1 + c)))/16, c = cos(2 pi/n), at n = 3 and 5 (Peters & Reif 2008, 6.1).
   EXPECT_NEAR(std::stod(half.at(1)), 0.4100970508005519, 1e-11);
   EXPECT_NEAR(std::stod(half.at(2)), 0.5499883545182972, 1e-11);
