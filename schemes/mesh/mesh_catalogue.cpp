@@ -183,8 +183,7 @@ void require_scheme_over(const MeshSchemeDescription& description, std::span<con
   }
   if (lies_between_0_and_1(parameter_values<R>(description, free_values).front())) return;
   throw InputError(
-      in_quotes(description.text) +
-      ": a speed lies strictly between 0 and 1; towards 0 rings become thin, towards 1 they close "
+      "a speed lies strictly between 0 and 1; towards 0 rings become thin, towards 1 they close "
       "the hole, and 1/2 is Catmull-Clark");
 }
 
