@@ -22,6 +22,27 @@ std::string fenced_block(const std::string& language) {
   return readme.substr(first, readme.find("\n```", first) - first);
 }
 
+/// The words of a command as a shell has them: parts in single quotes belong together, # ends it.
+std::vector<std::string> shell_words(const std::string& command) {
+  std::vector<std::string> words;
+  bool quoted = false;
+  bool inside = false;
+  for (const char c : command) {
+    if (c == '\'') {
+      quoted = !quoted;
+    } else if (!quoted && c == ' ') {
+      inside = false;
+      continue;
+    } else if (!quoted && !inside && c == '#') {
+      break;
+    }
+    if (!inside) words.emplace_back();
+    inside = true;
+    if (c != '\'') words.back() += c;
+  }
+  return words;
+}
+
 /// The commands "    build/subdivlab ..." of README.md that speak of a file, as arguments.
 std::vector<std::vector<std::string>> commands_about(const std::string& file) {
   std::vector<std::vector<std::string>> commands;
@@ -29,10 +50,7 @@ std::vector<std::vector<std::string>> commands_about(const std::string& file) {
   for (std::string line; std::getline(readme, line);) {
     const std::string prompt = "    build/subdivlab ";
     if (!line.starts_with(prompt) || line.find(file) == std::string::npos) continue;
-    std::istringstream words(line.substr(prompt.size()));
-    std::vector<std::string> arguments;
-    for (std::string word; words >> word && word != "#";) arguments.push_back(word);
-    commands.push_back(std::move(arguments));
+    commands.push_back(shell_words(line.substr(prompt.size())));
   }
   return commands;
 }
