@@ -79,7 +79,7 @@ Function at(const Function& f, const Function& denominator, const Function& turn
   return f.evaluate<Function>(values);
 }
 
-Interval largest_E() { return Interval(bound.constant()); }
+Interval enclosed_bound() { return Interval(bound.constant()); }
 
 bool positive_inside(const Function& f) { return is_positive(f, open_interval(Rational(0), Rational(1))); }
 
@@ -188,9 +188,10 @@ bool lambda_is_subdominant() {
   constexpr int bounded_from = 5;
   for (int n = 3; n < bounded_from; ++n) {
     const Interval largest(std::max(9, 4 * n - 7));
-    if (!certainly_less(largest * (Interval(1) - cosine_of_turn<Interval>(1, n)), largest_E())) return false;
+    if (!certainly_less(largest * (Interval(1) - cosine_of_turn<Interval>(1, n)), enclosed_bound()))
+      return false;
   }
-  return certainly_less(Interval(8) * pi() * pi() / Interval(bounded_from), largest_E());
+  return certainly_less(Interval(8) * pi() * pi() / Interval(bounded_from), enclosed_bound());
 }
 
 RealSet speeds_with_mode_2_next(int valence) {
@@ -206,10 +207,10 @@ RealSet speeds_with_mode_2_next(int valence) {
     const Interval E = k.E.evaluate<Interval>(values);
     const Interval alpha = k.alpha.evaluate<Interval>(values);
     const Interval G = k.G.evaluate<Interval>(values);
-    if (certainly_less(E, largest_E()) || (certainly_positive(alpha) && certainly_negative(G)))
+    if (certainly_less(E, enclosed_bound()) || (certainly_positive(alpha) && certainly_negative(G)))
       return Decision::yes;
     const bool exceeded = certainly_negative(alpha) || (certainly_positive(alpha) && certainly_positive(G) &&
-                                                        certainly_less(largest_E(), E));
+                                                        certainly_less(enclosed_bound(), E));
     return exceeded ? Decision::no : Decision::undecided;
   });
 }
@@ -217,7 +218,7 @@ RealSet speeds_with_mode_2_next(int valence) {
 bool mode_2_is_next_from(int first) {
   constexpr int bounded_from = 18;
   if (!mode_0_is_compared()) return false;
-  if (!certainly_less(Interval(32) * pi() * pi() / Interval(bounded_from), largest_E())) return false;
+  if (!certainly_less(Interval(32) * pi() * pi() / Interval(bounded_from), enclosed_bound())) return false;
   for (int n = first; n < bounded_from; ++n) {
     const RealSet speeds = speeds_with_mode_2_next(n);
     if (speeds.parts.size() != 1) return false;
