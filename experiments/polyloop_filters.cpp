@@ -96,7 +96,7 @@ void add_transfer(Results& results) {
   results.figures.push_back(std::move(figure));
 
   const LargestGain largest = largest_gain(filter(balanced));
-  const std::string at = "At cos omega = " + largest.cosine.to_string() + ".";
+  const std::string at = "At cos omega = " + largest.cosine.value().to_string() + ".";
   results.claims.push_back(settle(head(table, "figure.polyloops.transfer"), largest.gain, at));
   // 1 - g = x ((s - t) + s t x) vanishes at x = (t - s)/(s t), x = 1 - cos omega.
   const Rational s(1, 2);

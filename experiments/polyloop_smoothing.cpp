@@ -233,7 +233,7 @@ void add_push_pull(Results& results) {
   const LargestGain largest = largest_gain(composed);
   results.claims.push_back(
       statement("polyloops.push-pull.unstable", amplifies(largest.gain) == Decision::yes,
-                "gain " + largest.gain.exact + " at cos omega = " + largest.cosine.to_string(),
+                "gain " + largest.gain.exact + " at cos omega = " + largest.cosine.value().to_string(),
                 "Alternating vertices, omega = pi, grow by 5/3 and change sides a step."));
   results.claims.push_back(settle(head(table(), "polyloops.push-pull.unstable.gain"), largest.gain));
   const RealSet stable = stable_range(filter<Polynomial>("tuck(s); tuck(-s)"));

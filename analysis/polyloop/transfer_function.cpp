@@ -80,16 +80,31 @@ Algebraic exact_value(const std::vector<Part>& parts, const Algebraic& c) {
   return value;
 }
 
-/// Whether |w|^2 at a is greater than at b; where neither enclosures nor exact numbers can tell, it is not.
-bool exceeds(const std::vector<Part>& parts, const Algebraic& a, const Algebraic& b) {
+/// Whether |w|^2 at a is greater than at b; undecided where neither enclosures nor exact numbers can tell.
+Decision exceeds(const std::vector<Part>& parts, const Algebraic& a, const Algebraic& b) {
   constexpr long most = 1024;
   for (long precision = Interval::default_precision; precision <= most; precision *= 2) {
     const Interval at_a = value_at(parts, a, precision);
     const Interval at_b = value_at(parts, b, precision);
-    if (certainly_less(at_b, at_a)) return true;
-    if (certainly_at_most(at_a, at_b)) return false;
+    if (certainly_less(at_b, at_a)) return Decision::yes;
+    if (certainly_at_most(at_a, at_b)) return Decision::no;
   }
-  return few_factors(parts, a) && few_factors(parts, b) && exact_value(parts, a) > exact_value(parts, b);
+  if (!few_factors(parts, a) || !few_factors(parts, b)) return Decision::undecided;
+  return exact_value(parts, a) > exact_value(parts, b) ? Decision::yes : Decision::no;
+}
+
+/// The largest of |w|^2 at several cosines that cannot be told apart.
+Interval largest_of(const std::vector<Part>& parts, const std::vector<Algebraic>& cosines) {
+  constexpr long precision = 2 * Interval::default_precision;
+  const Interval first = value_at(parts, cosines.front(), precision);
+  Rational lower = first.lower();
+  Rational upper = first.upper();
+  for (const Algebraic& c : cosines) {
+    const Interval value = value_at(parts, c, precision);
+    lower = std::max(lower, value.lower());
+    upper = std::max(upper, value.upper());
+  }
+  return Interval::hull(lower, upper);
 }
 
 constexpr int cosine_variable = symbol_variable;
@@ -191,13 +206,22 @@ LargestGain largest_gain(const std::vector<FilterPart>& filters) {
   std::vector<Algebraic> others = inner_extrema(parts);
   std::ranges::sort(others, std::greater<>());
   others.emplace_back(-1);
+  std::vector<Algebraic> rivals;
   for (const Algebraic& c : others) {
-    if (exceeds(parts, c, best)) best = c;
+    const Decision greater = exceeds(parts, c, best);
+    if (greater == Decision::undecided) rivals.push_back(c);
+    if (greater != Decision::yes) continue;
+    best = c;
+    std::erase_if(rivals, [&](const Algebraic& r) { return exceeds(parts, r, best) == Decision::no; });
   }
-  if (few_factors(parts, best))
-    return {exact(sqrt(exact_value(parts, best)), "zeros of the derivative, isolated"), best};
+  const std::string how = "zeros of the derivative, isolated";
+  if (!rivals.empty()) {
+    rivals.push_back(best);
+    return {certified(sqrt(largest_of(parts, rivals)), how), std::nullopt};
+  }
+  if (few_factors(parts, best)) return {exact(sqrt(exact_value(parts, best)), how), best};
   const Interval value = sqrt(value_at(parts, best, 2 * Interval::default_precision));
-  return {certified(value, "zeros of the derivative, isolated"), best};
+  return {certified(value, how), best};
 }
 
 LargestGain largest_gain(const Laurent<Rational>& weights) {

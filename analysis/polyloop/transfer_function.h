@@ -59,11 +59,14 @@ struct FilterPart {
 /// The largest modulus of a transfer function over all frequencies, and where it is taken.
 struct LargestGain {
   Enclosure gain;
-  Algebraic cosine;  // cos omega, the least omega of several; 1 where nothing is amplified
+  /// cos omega, the least omega of several; 1 where nothing is amplified. Nothing where the largest of
+  /// several candidates could not be told.
+  std::optional<Algebraic> cosine;
 };
 
 /// Exact where the cosine is rational or quadratic and few factors are multiplied, else certified. Candidates
-/// are the ends c = -1, 1 and the zeros of the derivative.
+/// are the ends c = -1, 1 and the zeros of the derivative; of those that 1024 bits cannot tell apart the gain
+/// is enclosed together.
 [[nodiscard]] LargestGain largest_gain(const std::vector<FilterPart>& parts);
 [[nodiscard]] LargestGain largest_gain(const Laurent<Rational>& weights);
 

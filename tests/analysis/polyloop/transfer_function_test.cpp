@@ -77,6 +77,73 @@ TEST(TransferFunction, LongSequencesAreEnclosed) {
   EXPECT_NEAR(often.gain.midpoint().to_double() / std::pow((1 - x / 2) * (1 + 0.53 * x), 3000), 1, 1e-10);
 }
 
+/// Parts of unequal powers: (1 - x/2)(1 + 53 x/100)^2 has its greatest value at x = 28/53.
+TEST(TransferFunction, PartsCountAsOftenAsTheyAreApplied) {
+  const LargestGain uneven = largest_gain({{weights("tuck(1/2)"), 1}, {weights("tuck(-0.53)"), 2}});
+  const Rational t(53, 100);
+  const Rational x = (Rational(2) * t - Rational(1, 2)) / (Rational(3, 2) * t);  // of the derivative
+  EXPECT_EQ(uneven.cosine, Algebraic(Rational(1) - x));
+  const Rational value = (Rational(1) - x / Rational(2)) * pow(Rational(1) + t * x, 2);
+  EXPECT_EQ(uneven.gain.exact, value.to_string());
+}
+
+/// Of two places with the same gain the lower frequency is named.
+TEST(TransferFunction, TiesGoToTheLowerFrequency) {
+  EXPECT_EQ(largest_gain(weights("tuck(1)")).cosine, Algebraic(1));  // |c| at 1 and -1
+  const Laurent<Rational> two(-2, {Rational(-1), Rational(0), Rational(4), Rational(0), Rational(-1)});
+  const LargestGain tie = largest_gain(two);  // 4 - 2 cos 2 omega: 6 at omega = pi/2
+  EXPECT_EQ(tie.gain.exact, "6");
+  EXPECT_EQ(tie.cosine, Algebraic(0));
+  // cos 3 omega is 1 or -1 at omega = 0, pi/3, 2 pi/3, pi.
+  const Laurent<Rational> three(
+      -3, {Rational(1, 2), Rational(0), Rational(0), Rational(0), Rational(0), Rational(0), Rational(1, 2)});
+  EXPECT_EQ(largest_gain(three).cosine, Algebraic(1));
+  const LargestGain shifted = largest_gain(three - Laurent<Rational>(1));  // cos 3 omega - 1: -2 at pi/3, pi
+  EXPECT_EQ(shifted.gain.exact, "2");
+  EXPECT_EQ(shifted.cosine, Algebraic(Rational(1, 2)));
+}
+
+/// (1 + x/10^400)^300, x = 1 - c in [0, 2], is greatest at c = -1, by less than 1024 bits show.
+TEST(TransferFunction, NoPlaceWhereComparisonsStayOpen) {
+  const Laurent<Rational> slight = polyloop::tuck(Rational(-1) / pow(Rational(10), 400)).rows.front();
+  const LargestGain gain = largest_gain({{slight, 300}});
+  EXPECT_FALSE(gain.cosine);
+  EXPECT_EQ(gain.gain.rigour, Rigour::certified);
+  const Rational truth = pow(Rational(1) + Rational(2) / pow(Rational(10), 400), 300);
+  EXPECT_TRUE(gain.gain.lower <= truth && truth <= gain.gain.upper);
+  EXPECT_EQ(amplifies(gain.gain), Decision::undecided);
+  EXPECT_EQ(largest_gain({{slight, 100}}).cosine, Algebraic(-1)) << "few factors are compared exactly";
+}
+
+/// Transfer functions that reach 1 or -1 between the ends, at an end alone, or where two zeros meet.
+TEST(TransferFunction, RangesThatChangeWhereZerosMeetOrReachTheEnds) {
+  const Rational half(1, 2);
+  const Polynomial t = Polynomial::variable(0);
+  const auto scaled = [&](const Polynomial& f, const std::vector<Rational>& numbers, int first) {
+    std::vector<Polynomial> values;
+    for (const Rational& q : numbers) values.push_back(f * Polynomial(q));
+    return Laurent<Polynomial>(first, values);
+  };
+  // t cos 2 omega: 1 - w^2 touches 0 from above at omega = pi/2 for t = +-1, a double zero.
+  const auto twice = scaled(t, {half, Rational(0), Rational(0), Rational(0), half}, -2);
+  EXPECT_EQ(stable_range(twice).to_string(), "[-1, 1]");
+  // t (1 + cos omega)/2 reaches 1 at omega = 0 alone.
+  const auto mean = scaled(t, {Rational(1, 4), half, Rational(1, 4)}, -1);
+  EXPECT_EQ(stable_range(mean).to_string(), "[-1, 1]");
+  // 1 - t sin^2 omega = 1 - t/2 + t/2 cos 2 omega is -1 for t = 2 at omega = pi/2, inside.
+  const auto sine = scaled(t, {Rational(1, 4), Rational(0), -half, Rational(0), Rational(1, 4)}, -2) +
+                    Laurent<Polynomial>(1);
+  EXPECT_EQ(stable_range(sine).to_string(), "[0, 2]");
+  // 1 - w = cos^2 omega - t^2 is not negative where its two zeros meet alone.
+  const Rational quarter(1, 4);
+  const Laurent<Polynomial> meeting(-2, {Polynomial(-quarter), Polynomial(0), Polynomial(half) + t * t,
+                                         Polynomial(0), Polynomial(-quarter)});
+  const RealSet at_meeting = stable_range(meeting);
+  ASSERT_EQ(at_meeting.parts.size(), 1U) << at_meeting.to_string();
+  EXPECT_EQ(at_meeting.parts[0].lower, Algebraic(0));
+  EXPECT_EQ(at_meeting.parts[0].upper, Algebraic(0));
+}
+
 TEST(TransferFunction, IntervalsEncloseTheExactGain) {
   for (const std::string text :
        {"tuck(1/2); tuck(-0.53)", "untuck", "tuck(1/3)", "tuck(2/3); tuck(-1); dual"}) {
