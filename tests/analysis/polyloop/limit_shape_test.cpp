@@ -78,5 +78,18 @@ TEST(LimitShape, RegularPolygonsAndRefusals) {
   EXPECT_THROW((void)mode_gains(tuck(Rational(1)), 0), std::domain_error);
 }
 
+TEST(LimitShape, TurnedRoundTheEllipseIsTheSame) {
+  const HalfAxes clockwise = limit_ellipse(make_polyline({{0, 0, 4, 4}, {0, 2, 2, 0}}, true));
+  EXPECT_NEAR(clockwise.major / clockwise.minor, 2, 1e-14);
+  EXPECT_GT(clockwise.minor, 0);
+}
+
+TEST(LimitShape, FewerThanThreeVerticesHaveNoEllipse) {
+  for (const auto& polygon : {make_polyline({{0, 1}, {0, 2}}, true), make_polyline({{3}, {4}}, true)}) {
+    EXPECT_EQ(limit_ellipse(polygon).major, 0);
+    EXPECT_EQ(limit_ellipse(polygon).minor, 0);
+  }
+}
+
 }  // namespace
 }  // namespace subdiv

@@ -207,5 +207,23 @@ TEST(LocalGeometry, UnevenStepsCostTheCircleAnOrderAndMisleadTheParabola) {
   }
 }
 
+TEST(LocalGeometry, JerkOfAnEdgeWithoutLengthIsAllNormal) {
+  const Exact b = point({1, 2});
+  EXPECT_EQ(squared_normal_jerk(point({0, 0}), b, b, point({3, 5})), Rational(34));  // D - A
+}
+
+TEST(LocalGeometry, TwoVerticesGoRound) {  // A = C and B = D: 4 (B - C)
+  const Polyline two = make_polyline({{0, 1}, {0, 0}}, true);
+  EXPECT_EQ(edge_jerks(two), (std::vector<std::vector<double>>{{-4, 0}, {4, 0}}));
+  EXPECT_EQ(normal_jerks(two).size(), 2U);
+}
+
+TEST(LocalGeometry, InfinitePointsGiveNothingFinite) {
+  const double far = std::numeric_limits<double>::infinity();
+  const auto at = vertex_geometry(make_polyline({{far, 0, 1}, {0, 1, 0}}, false));
+  EXPECT_FALSE(std::isfinite(at[0].circle_curvature));
+  EXPECT_FALSE(std::isfinite(at[0].parabola_curvature));
+}
+
 }  // namespace
 }  // namespace subdiv

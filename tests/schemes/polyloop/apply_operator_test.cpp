@@ -122,5 +122,24 @@ TEST(ApplyOperator, ClosedPolyloopsHaveWholePeriods) {
   EXPECT_EQ(apply(polyloop::refine<Rational>(), Chain{}).size(), 0);
 }
 
+TEST(ApplyOperator, AShiftReachesAsFarAsItGoes) {
+  const Chain c{{q(1), q(2), q(3)}, false, 2};
+  for (const int places : {-5, -1, 0, 1, 5}) {  // vertex k is P_{k + places}
+    const Operator op{1, {Laurent<Rational>::monomial(places, q(1))}, false};
+    const Chain moved = apply(op, c);
+    EXPECT_EQ(moved.vertices, c.vertices) << places;
+    EXPECT_EQ(moved.first, 2 - places);
+  }
+}
+
+TEST(ApplyOperator, KeptVerticesKeepTheirNumbers) {
+  const Chain c{{q(0), q(4), q(2), q(6)}, false, 3};
+  EXPECT_EQ(apply(polyloop::tuck(q(1)), c, OpenRule::keep).first, 3);
+  EXPECT_EQ(apply(polyloop::tuck(q(1)), c, OpenRule::drop).first, 4);
+  // Composed with refine it makes new vertices, which are not kept.
+  const Operator refined = sequence<Rational>({polyloop::refine<Rational>(), polyloop::tuck(q(1, 2))});
+  EXPECT_EQ(apply(refined, c, OpenRule::keep).vertices, apply(refined, c, OpenRule::drop).vertices);
+}
+
 }  // namespace
 }  // namespace subdiv

@@ -41,5 +41,19 @@ TEST(PolyloopOperator, OperatorsThatTellVerticesApartHaveNoMask) {
   EXPECT_EQ(composed(tweak(half(), F(0)), refine<F>()).outputs(), 4);
 }
 
+TEST(PolyloopOperator, MovesVerticesWhereAllStepsDo) {
+  EXPECT_TRUE(composed(tuck(half()), untuck<F>()).moves_vertices);
+  EXPECT_FALSE(composed(refine<F>(), tuck(half())).moves_vertices);
+  EXPECT_FALSE(composed(tuck(half()), refine<F>()).moves_vertices);
+}
+
+TEST(PolyloopOperator, ThreeVerticesOfTwoAreNotReduced) {
+  const auto place = [](int j) { return Laurent<F>::monomial(j, F(1)); };
+  const Operator op{2, {place(0), place(1), place(2)}, false};
+  EXPECT_EQ(reduced(op).period, 2);
+  EXPECT_EQ(reduced(op).outputs(), 3);
+  EXPECT_EQ(reduced(Operator{2, {place(0), place(1)}, false}).period, 1);
+}
+
 }  // namespace
 }  // namespace subdiv
