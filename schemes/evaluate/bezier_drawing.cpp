@@ -61,10 +61,13 @@ int certain_levels(const BezierCurve& curve, double tolerance) {
   const int levels = levels_needed(curve, std::max(tolerance / 2, std::numeric_limits<double>::denorm_min()));
   const double moved = rounding_of_bound(curve, rounding_of_halvings(curve, levels));
   if (moved > tolerance / 2) {
+    // Twice this asks for no more levels, so that rounding takes no more. It is not the least that can be
+    // kept. Three digits are off by less than a hundredth.
+    constexpr double more_than_digits = 2.02;
     throw InputError(fmt::format(
-        "a tolerance of {} cannot be kept: rounding of these coordinates alone takes up to {:.3g}; "
-        "it is at least {:.3g}",
-        tolerance, moved, 2 * moved));
+        "a tolerance of {} cannot be promised: with it, rounding of these coordinates may take up to {:.3g}; "
+        "a tolerance of {:.3g} can be kept",
+        tolerance, moved, more_than_digits * moved));
   }
   return levels;
 }

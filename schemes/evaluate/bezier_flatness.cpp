@@ -39,6 +39,7 @@ double times_above(double a, double b) { return a * b * (1 + 4 * unit) + smalles
 double length_above(const std::vector<double>& v, double error) {
   double scale = 0;
   for (const double x : v) scale = std::max(scale, std::abs(x));
+  if (std::isinf(scale)) return scale;
   double squares = 0;
   for (const double x : v) squares += scale > 0 ? (x / scale) * (x / scale) : 0;
   const auto dimension = static_cast<double>(v.size());
@@ -149,9 +150,12 @@ int levels_needed(const BezierCurve& curve, double tolerance) {
   if (!(tolerance > 0)) throw std::invalid_argument("a tolerance must be positive");
   if (degree_of(curve) < 2) return 0;
   constexpr double per_level = 4;
+  double difference = largest_second_difference(curve);
+  if (!std::isfinite(difference)) throw std::invalid_argument("second differences of a curve are too large");
   int levels = 0;
-  for (double bound = times_above(chord_factor(curve), largest_second_difference(curve)); bound > tolerance;
-       bound /= per_level)
+  // High degrees take the bound beyond the doubles, from where no division leads back; D is not.
+  for (; std::isinf(times_above(chord_factor(curve), difference)); difference /= per_level) ++levels;
+  for (double bound = times_above(chord_factor(curve), difference); bound > tolerance; bound /= per_level)
     ++levels;
   return levels;
 }

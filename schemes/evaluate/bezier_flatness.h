@@ -30,7 +30,7 @@ using BezierCurve = std::vector<std::vector<double>>;
 
 /// How often to halve all parts so that n (n-1)/8 D, which a step divides by four or more, is at most the
 /// tolerance (Wang: The subdivision method for finding the intersection between two Bezier curves, 1984).
-/// tolerance > 0 (std::invalid_argument).
+/// tolerance > 0, and D is a double (else std::invalid_argument); the product may lie beyond them.
 [[nodiscard]] int levels_needed(const BezierCurve& curve, double tolerance);
 
 /// What so many halvings in doubles may have moved a control point of a curve, rounded upwards: each of n

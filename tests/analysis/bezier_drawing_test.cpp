@@ -1,14 +1,17 @@
 #include "schemes/evaluate/bezier_drawing.h"
 
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <random>
+#include <string>
 
 #include <gtest/gtest.h>
 
 #include "analysis/hausdorff_distance.h"
 #include "schemes/algebra/rational.h"
 #include "schemes/evaluate/de_casteljau.h"
+#include "schemes/input_error.h"
 #include "tests/schemes/input_errors.h"
 
 namespace subdiv {
@@ -293,12 +296,84 @@ TEST(BezierDrawing, RefusesWhatItCannotKeep) {
   }
   expect_input_error([&] { (void)draw_to_tolerance({curve}, 0, many); }, {"positive", "0"});
   expect_input_error([&] { (void)draw_to_tolerance({curve}, nan, many); }, {"positive"});
-  expect_input_error([&] { (void)draw_to_tolerance({curve}, 1e-15, many); }, {"rounding", "at least"});
+  expect_input_error([&] { (void)draw_to_tolerance({curve}, 1e-15, many); }, {"rounding", "can be kept"});
   expect_input_error([&] { (void)draw_to_tolerance({curve}, 1e-6, 100); }, {"more than 100 segments"});
   expect_input_error([&] { (void)draw_to_depth({curve}, 6, 100); }, {"depth of 6", "5 is the most"});
   expect_input_error([&] { (void)draw_to_depth({curve}, -1, 100); }, {"-1"});
   expect_input_error([&] { (void)draw_to_tolerance({}, 1, many); }, {"no Bezier curve"});
   expect_input_error([&] { (void)draw_to_tolerance({{{0, 1}, {2}}}, 1, many); }, {"curve 1"});
+}
+
+// The tolerance that a refusal names, as it is printed, is kept. Far from the origin, where it is coarse.
+TEST(BezierDrawing, TheToleranceThatARefusalNamesIsKept) {
+  const BezierCurve square{{0, 0, 1, 1}, {0, 1, 1, 0}};
+  constexpr double least = std::numeric_limits<double>::denorm_min();
+  for (const int power : {0, 3, -7, -1040, -1060}) {
+    for (const double tolerance : {1e-300, 1e-20, 1e-16}) {
+      BezierCurve curve = square;
+      for (auto& c : curve) {
+        for (double& x : c) x = std::ldexp(x + std::ldexp(1.0, 30), power);
+      }
+      try {
+        (void)draw_to_tolerance({curve}, std::max(std::ldexp(tolerance, power), least), many);
+        ADD_FAILURE() << "kept " << tolerance;
+      } catch (const InputError& error) {
+        const std::string message = error.what();
+        const std::string before = "a tolerance of ";
+        ASSERT_NE(message.find("can be kept"), std::string::npos) << message;
+        const double named = std::strtod(message.c_str() + message.rfind(before) + before.size(), nullptr);
+        EXPECT_LE(draw_to_tolerance({curve}, named, many).bound, named);
+      }
+    }
+  }
+}
+
+// Half of a tolerance is for rounding: it is refused where rounding may take more.
+TEST(BezierDrawing, HalfOfTheToleranceIsForRounding) {
+  const BezierCurve square{{0, 0, 1, 1}, {0, 1, 1, 0}};
+  const auto taken = [&](double tolerance) {
+    return rounding_of_bound(square, rounding_of_halvings(square, levels_needed(square, tolerance / 2)));
+  };
+  double least = 1;
+  while (taken(least) <= least / 2) least *= 0.999;
+  EXPECT_GT(least, taken(least)) << "less than the tolerance, more than half of it";
+  expect_input_error([&] { (void)draw_to_tolerance({square}, least, many * many); }, {"rounding"});
+  // Where the last halving is needed for one half of the tolerance but not for the whole, it counts.
+  EXPECT_GT(levels_needed(square, least / 2), levels_needed(square, 1.9 * least));
+}
+
+// Both bounds contain what halving in doubles may have moved the points.
+TEST(BezierDrawing, BoundsContainRounding) {
+  const BezierCurve arch{{0, 0.1, 0.2}, {0, 0.1, 0}};
+  const auto [x0, x1] = split_bezier(arch[0], [](double a, double b) { return (a + b) / 2; });
+  const auto [y0, y1] = split_bezier(arch[1], [](double a, double b) { return (a + b) / 2; });
+  const double halves = std::max(chord_distance_bound({x0, y0}), chord_distance_bound({x1, y1}));
+  ASSERT_LT(halves, chord_distance_bound(arch));
+  EXPECT_EQ(draw_to_tolerance({arch}, halves, many).deepest, 2) << "nothing is left for rounding";
+  const double enough = halves + rounding_of_halvings(arch, 1);
+  EXPECT_EQ(draw_to_tolerance({arch}, enough, many).deepest, 1);
+  EXPECT_EQ(draw_to_tolerance({arch}, enough, many).bound, enough);
+  // A line segment is its own polygon, but in doubles its points leave it.
+  const BezierCurve line{{0.1, 0.7}, {0.3, 1.9}};
+  const BezierPolyline parts = draw_to_depth({line}, 4, many);
+  const auto at = [&](std::size_t c, std::size_t i) {
+    return Rational::from_double(parts.coordinates[c][i]) - Rational::from_double(line[c][0]);
+  };
+  Rational largest(0);  // the distance from the line, times its length
+  for (std::size_t i = 1; i < 16; ++i) {
+    const Rational across = at(0, i) * at(1, 16) - at(1, i) * at(0, 16);
+    largest = std::max(largest, across.sign() < 0 ? Rational(-across) : across);
+  }
+  const Rational bound = Rational::from_double(parts.bound);
+  EXPECT_GT(largest, Rational(0)) << "there is rounding to speak of";
+  EXPECT_GE(bound * bound * (at(0, 16) * at(0, 16) + at(1, 16) * at(1, 16)), largest * largest);
+}
+
+TEST(BezierDrawing, AsManySegmentsAsAllowed) {
+  const BezierCurve curve{{0, 3, -1, 4}, {1, 5, 9, 2}};
+  const std::size_t segments = draw_to_tolerance({curve}, 1e-3, many).segments;
+  EXPECT_EQ(draw_to_tolerance({curve}, 1e-3, segments).segments, segments);
+  expect_input_error([&] { (void)draw_to_tolerance({curve}, 1e-3, segments - 1); }, {"segments"});
 }
 
 TEST(BezierDrawing, SmallTolerancesAreKept) {
