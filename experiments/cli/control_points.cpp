@@ -1,8 +1,11 @@
 #include "experiments/cli/control_points.h"
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "analysis/open_polygon.h"
 #include "schemes/input_error.h"
@@ -18,6 +21,18 @@ SchemeDescription evaluated_scheme(const std::string& text) {
                      " no value; curves are evaluated for numbers, such as jspline:s=1/2");
   }
   return scheme;
+}
+
+void require_measurable(const CoordinateArrays<double>& coordinates, const std::string& where) {
+  constexpr double largest = 1e150;
+  for (const std::vector<double>& c : coordinates.coordinates) {
+    const auto beyond = std::ranges::find_if(c, [](double x) { return !(std::abs(x) <= largest); });
+    if (beyond == c.end()) continue;
+    throw InputError(fmt::format(
+        "{}: point {} has the coordinate {}; products of coordinates beyond 1e150 leave the range "
+        "of doubles: scale the points",
+        where, beyond - c.begin() + 1, *beyond));
+  }
 }
 
 OpenEnd open_end(const std::string& name) {

@@ -19,6 +19,10 @@ namespace subdiv::cli {
 [[nodiscard]] CoordinateArrays<double> control_curve(const PointList<double>& points, const std::string& open,
                                                      const SchemeDescription& scheme);
 
+/// Throws InputError that begins with `where` and names the point (from 1) unless all coordinates lie within
+/// 1e150 of 0, so that their products, and what is measured of them, stay within the doubles.
+void require_measurable(const CoordinateArrays<double>& coordinates, const std::string& where);
+
 /// "clamped" or "reflected".
 [[nodiscard]] OpenEnd open_end(const std::string& name);
 

@@ -1,5 +1,6 @@
 #include "experiments/cli/local_estimates.h"
 
+#include <cmath>
 #include <iostream>
 #include <span>
 #include <string>
@@ -63,11 +64,23 @@ std::string joined_numbers(std::span<const double> values) {
 void require_local_estimates(const Polyline& polyline) {
   constexpr std::size_t least = 3;
   const std::size_t n = curve_size(polyline.topology);
-  if (polyline.topology.closed || n >= least) return;
-  throw InputError(
-      fmt::format("--local: no vertex of an open polygon of {} points lies between two others; give at "
-                  "least {}, or leave --open out",
-                  n, least));
+  const bool closed = polyline.topology.closed;
+  if (!closed && n < least) {
+    throw InputError(
+        fmt::format("--local: no vertex of an open polygon of {} points lies between two others; give at "
+                    "least {}, or leave --open out",
+                    n, least));
+  }
+  std::size_t vertex = closed ? 0 : 1;
+  for (const VertexGeometry& at : vertex_geometry(polyline)) {
+    if (!std::isfinite(at.circle_curvature) || !std::isfinite(at.parabola_curvature)) {
+      throw InputError(fmt::format(
+          "--local: the curvature at vertex {} (from 0) is beyond the range of doubles (1.8e308): "
+          "its neighbours are too near to each other; scale the points",
+          vertex));
+    }
+    ++vertex;
+  }
 }
 
 Json local_estimates_json(const Polyline& polyline) {

@@ -13,7 +13,8 @@ namespace subdiv::cli {
 /// The same as a table on standard output, coordinates after each other.
 void print_local_estimates(const Polyline& polyline);
 
-/// Throws InputError for an open polygon of fewer than three points, as the two above do.
+/// Throws InputError for an open polygon of fewer than three points, and where a curvature leaves the
+/// doubles, as the two above do.
 void require_local_estimates(const Polyline& polyline);
 
 }  // namespace subdiv::cli

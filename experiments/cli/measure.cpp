@@ -120,8 +120,11 @@ std::vector<Measures> measure_levels(const MeasureOptions& options, const PointL
         fmt::format("--levels {}: more than {} points; measure fewer levels", options.levels, most));
   if (options.local) require_few(refined_points(controls.topology, scheme.arity(), options.levels));
   std::vector<Measures> all;
-  for (int level = 0; level <= options.levels; ++level)
-    all.push_back(measures_of(refine(scheme, controls, level), level));
+  for (int level = 0; level <= options.levels; ++level) {
+    const Polyline refined = refine(scheme, controls, level);
+    require_measurable(refined, fmt::format("--scheme {}, level {}", options.scheme, level));
+    all.push_back(measures_of(refined, level));
+  }
   const std::vector<Disparity> between = disparities(scheme, controls, options.levels, tolerance);
   for (std::size_t k = 0; k < between.size(); ++k) {
     all[k + 1].disparity = between[k];
@@ -149,6 +152,7 @@ int measure(const MeasureOptions& options) {
     throw InputError(options.input + (*points.closed ? ": its line element is closed; leave --open out"
                                                      : ": its line element is open; say --open plain"));
   }
+  require_measurable(plain(points, options.open.empty()), options.input);
   const double tolerance =
       options.tolerance > 0 ? options.tolerance : default_tolerance(plain(points, options.open.empty()));
   const std::vector<Measures> all = measure_levels(options, points, tolerance);
@@ -160,6 +164,7 @@ int measure(const MeasureOptions& options) {
                                    other.dimension(), options.input, points.dimension()));
     }
     const bool closed = other.closed.value_or(options.open.empty());
+    require_measurable(plain(other, closed), "--against " + options.against);
     distance = hausdorff_distance(plain(points, options.open.empty()), plain(other, closed), tolerance);
   }
   if (options.json) {

@@ -8,6 +8,7 @@
 
 #include "analysis/curve_measures.h"
 #include "analysis/polyloop/transfer_function.h"
+#include "experiments/cli/control_points.h"
 #include "experiments/cli/verbs.h"
 #include "experiments/polygon_file.h"
 #include "experiments/report/curve_writer.h"
@@ -32,12 +33,6 @@ Polyline polyline_of(const Chains& chains) {
   return make_polyline(std::move(coordinates), chains.front().closed);
 }
 
-bool is_finite(const Chains& chains) {
-  return std::ranges::all_of(chains, [](const VertexChain<double>& chain) {
-    return std::ranges::all_of(chain.vertices, [](double x) { return std::isfinite(x); });
-  });
-}
-
 Chains read_chains(const SmoothOptions& options) {
   const PointList<double> points = read_points<double>(options.input);
   const bool closed = options.open.empty();
@@ -48,6 +43,7 @@ Chains read_chains(const SmoothOptions& options) {
   }
   Chains chains;
   for (const std::vector<double>& coordinate : points.coordinates) chains.push_back({coordinate, closed, 0});
+  require_measurable(polyline_of(chains), options.input);
   return chains;
 }
 
@@ -77,11 +73,7 @@ Chains smoothed(Chains chains, const SmoothOptions& options, const OperatorSeque
                          ": no vertex is left of the open polygon, whose ends the rules reach; "
                          "--open keep holds vertices in their places, or repeat less often");
       }
-      if (!is_finite(chains)) {
-        throw InputError(where() +
-                         ": a coordinate leaves the range of doubles (about 1.8e308); an unstable "
-                         "sequence amplifies some frequency in every repetition: repeat less often");
-      }
+      require_measurable(polyline_of(chains), where());
     }
   }
   return chains;
@@ -155,13 +147,9 @@ std::optional<Gain> find_gain(const OperatorSequence& sequence) {
   }
 }
 
-/// Of closed plane polygons, as long as products of their coordinates stay within the doubles.
+/// Of closed plane polygons.
 std::optional<double> area_of(const Polyline& polyline) {
   if (!polyline.topology.closed || polyline.coordinates.size() != 2) return std::nullopt;
-  for (const std::vector<double>& c : polyline.coordinates) {
-    constexpr double largest = 1e150;
-    if (std::ranges::any_of(c, [](double x) { return std::abs(x) > largest; })) return std::nullopt;
-  }
   return signed_area(polyline);
 }
 
@@ -262,15 +250,19 @@ void write(const Report& report, const std::string& out) {
 
 int smooth(const SmoothOptions& options) {
   (void)curve_format(options.out);  // before anything is computed
+  if (!options.json.empty() && have_same_target(options.json, options.out)) {
+    throw InputError("--json " + options.json + ": " +
+                     (is_standard_output(options.out) ? "standard output takes the polygon already"
+                                                      : "-o " + options.out + " writes this file") +
+                     "; the report needs another one");
+  }
   const OperatorSequence sequence = parse_operators(options.operators);
   (void)operators_in_double(sequence);
   const Chains chains = read_chains(options);
   Report report{polyline_of(chains), polyline_of(smoothed(chains, options, sequence)), find_gain(sequence)};
-  const bool to_output = options.out == "-";
+  const bool to_output = is_standard_output(options.out);
   std::optional<OutputFile> json;
   if (!options.json.empty()) {
-    if (options.json == "-" && to_output)
-      throw InputError("--json -: standard output takes the polygon already; name a file for one of them");
     json.emplace(options.json);
     json->write(to_json(report, options, sequence).dump(2) + "\n");
     json->close();
@@ -278,7 +270,7 @@ int smooth(const SmoothOptions& options) {
   write(report, options.out);
   if (json) json->finish();
   warn(report.gain);
-  if (!to_output && options.json != "-") print(report, options);
+  if (!to_output && (options.json.empty() || !is_standard_output(options.json))) print(report, options);
   return ExitCode::done;
 }
 

@@ -133,6 +133,17 @@ TEST_F(Measure, BadInputEndsWith2) {
   rejects({"two.csv", "--open", "plain", "--local"}, {"--local", "at least 3"});
   rejects({"square.csv", "--scheme", "jspline:s=1", "--levels", "19", "--local"},
           {"--local", "2097152", "1048576"});
+  file("far.csv", "0,0\n1e308,0\n-1e308,1e308\n");
+  for (const Strings& options :
+       {Strings{}, Strings{"--local"}, Strings{"--json"}, Strings{"--json", "--local"}}) {
+    Strings arguments{"far.csv"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    rejects(arguments, {"far.csv: point 2", "1e150"});
+  }
+  rejects({"square.csv", "--against", "far.csv"}, {"--against far.csv: point 2"});
+  file("near.csv", "0,0\n1e-320,0\n1e-320,1e-320\n");
+  rejects({"near.csv", "--local"}, {"vertex 0", "curvature"});
+  rejects({"near.csv", "--local", "--json"}, {"vertex 0", "curvature"});
   file("open.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nl 1 2 3\n");
   rejects({"open.obj"}, {"open.obj", "--open plain"});
 }

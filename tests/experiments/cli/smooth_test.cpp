@@ -113,13 +113,19 @@ TEST_F(Smooth, BadInputEndsWith2AndWritesNothing) {
                   {"repetition 2", "no vertex is left", "--open keep"});
   expect_rejected(run("square.csv", "refine", {"-o", "out.csv", "--repeat", "60"}), {"more than 16777216"});
   expect_rejected(run("square.csv", "dual", {"-o", "-", "--json", "-"}), {"standard output"});
+  expect_rejected(run("square.csv", "dual", {"-o", "out.csv", "--json", "out.csv"}),
+                  {"-o out.csv", "another"});
+  expect_rejected(run("square.csv", "dual", {"-o", "out.csv", "--json", "./out.csv"}), {"-o out.csv"});
+  file("far.csv", "0,0\n1e308,0\n1e308,1e308\n");
+  for (const std::string target : {"out.csv", "-"})
+    expect_rejected(run("far.csv", "tuck(1/2)", {"-o", target}), {"far.csv: point 2", "1e150"});
   file("nan.csv", "0,0\nnan,1\n");
   expect_rejected(run("nan.csv", "dual", out), {"nan.csv"});
   file("empty.csv", "");
   expect_rejected(run("empty.csv", "dual", out), {"empty.csv"});
   expect_rejected(run({"square.csv", "-o", "out.csv"}), {"--operators"});
   EXPECT_FALSE(exists("out.csv"));
-  EXPECT_EQ(files(), 5U) << "no temporary files are left";
+  EXPECT_EQ(files(), 6U) << "no temporary files are left";
 }
 
 }  // namespace
