@@ -61,12 +61,16 @@ std::vector<ClaimHead> make_heads() {
       finding("polyloops.j2.osculates.square", "polyloops 3.1",
               "On a square with edges 1: how far J2 passes outside the middle of an edge, in exact "
               "arithmetic."),
-      printed("polyloops.j2.different", "3.1", "it is different and smoother than Jrd: different",
-              "Are the limit curves on the square the same, by weights at all parameters i/2?"),
-      printed("polyloops.j2.smoother", "3.1", "it is different and smoother than Jrd: smoother",
-              "The Hoelder exponent of the limits of *J_{3/4}, against that of the quadratic B-spline."),
+      printed("polyloops.j2.different", "3.1", "it is different and smoother than Jrd",
+              "Different: are the limit curves on the square the same, by weights at all parameters i/2?"),
+      printed("polyloops.j2.smoother", "3.1", "it is different and smoother than Jrd",
+              "Smoother: the Hoelder exponent of the limits of *J_{3/4}, against that of the quadratic "
+              "B-spline."),
       printed("polyloops.j8.interpolates", "3.1", "it interpolates the vertices of L",
               by_masks + "the limit point of a vertex, for J8."),
+      printed("polyloops.j8.smooth", "3.1",
+              "the polyloop converges to a smooth curve that interpolates the vertices of L",
+              "The continuity of the limits of J8: at least C1, for all polyloops?"),
       printed("polyloops.j8.less-smooth", "3.1", "but appears less smooth",
               "The Hoelder exponents of the limits of J0, J2, J4, J5, J6 and J8: is that of J8 the least?"),
       printed("polyloops.j4.compromise", "3.1", "is a compromise between J0 and J8",
@@ -75,6 +79,8 @@ std::vector<ClaimHead> make_heads() {
                area_error + share_of + "with |E| < 1/20 for J4."),
       own_share("polyloops.j4.area.least", "polyloops 3.1",
                 area_error + share_of + "for which |E| of J4 is the least among J0, J2, J4, J5, J6 and J8."),
+      printed("polyloops.j5.compromise", "3.1", "J5 offers a different compromise between J0 and J8",
+              "Is a step of J5 an average of those of J0 and J8 with positive weights, and another than J4?"),
       tendency("polyloops.j5.hausdorff", "3.1",
                "It is a better approximation of L than J4 when the quality of an approximation is measured "
                "by the Hausdorff distance",
@@ -107,7 +113,8 @@ std::vector<ClaimHead> make_heads() {
                    "those of J0, J2, J4, J5 and J6."),
       own_share("polyloops.jerk.rising", "polyloops 3.2",
                 jerk + share_of + "on which the largest normal jerk rises along J0, J2, J4, J5, J6, J8."),
-      tendency("polyloops.jm.jerk", "3.2", "The intermediate curve Jm has no noticeable jerk",
+      tendency("polyloops.jm.jerk", "3.2",
+               "The intermediate curve Jm (shown in brown above between J0 and J8 has no noticeable jerk",
                jerk + share_of +
                    "on which the largest normal jerk of Jm, J(2) first and J(-2) last, is below a tenth of "
                    "that of J8."),

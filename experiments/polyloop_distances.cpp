@@ -116,19 +116,22 @@ void add_distances(Results& results) {
   for (std::size_t i = place_of_j4; i <= place_of_j5 + 1; ++i) {
     measured += fmt::format("{}{} {:.4f}", measured.empty() ? "" : ", ", names()[i], square.fine(i).upper);
   }
-  results.claims.push_back(statement("polyloops.j5.square", square.nearest(place_of_j5),
-                                     square.nearest(place_of_j5) ? "true" : "false",
-                                     "J6 is nearer on a square: of edges 5 the distances are " + measured +
-                                         ". The best is about J(5.66), see polyloops.j5.square.best."));
+  results.claims.push_back(statement(
+      "polyloops.j5.square", square.nearest(place_of_j5), square.nearest(place_of_j5) ? "true" : "false",
+      "J6 is nearer on a square: of edges 5 the distances of the polygons of level 5 are " + measured +
+          ". The limits lie a little farther. The best of these is about J(5.66), see "
+          "polyloops.j5.square.best."));
   const Algebraic s = balanced_parameter();
-  results.claims.push_back(settle(
-      head_of("polyloops.j5.square.best"), exact(Algebraic(8) - Algebraic(8) * s, "exact by limit masks"),
-      "A larger s takes the curve farther from the corners, a smaller one farther beyond the edges."));
+  results.claims.push_back(settle(head_of("polyloops.j5.square.best"),
+                                  exact(Algebraic(8) - Algebraic(8) * s, "exact by limit masks"),
+                                  "Of the limit curves, not of polygons of level 5. A larger s takes the "
+                                  "curve farther from the corners, a smaller one farther beyond the edges."));
   std::string counts;
   for (std::size_t i = 0; i < nearest.size(); ++i) {
     counts += fmt::format("{}{}: {}", counts.empty() ? "" : ", ", names()[i], nearest[i]);
   }
-  results.claims.push_back(share("polyloops.j5.others", nearest[place_of_j5], "Nearest is " + counts + "."));
+  results.claims.push_back(share("polyloops.j5.others", nearest[place_of_j5],
+                                 "Nearest of the polygons of level 5 is " + counts + "."));
 }
 
 void add_popping(Results& results) {

@@ -152,6 +152,10 @@ void add_osculation(Results& results) {
   results.claims.push_back(
       statement("polyloops.j8.interpolates", vertex("J8") == Laurent<Rational>(1), mask_text(vertex("J8"))));
   const Enclosure four_point = exponent("J8");
+  const int continuity_of_j8 = three_tap_continuity(smoothing_factors, Algebraic(Rational(-1, 2)));
+  results.claims.push_back(statement(
+      "polyloops.j8.smooth", continuity_of_j8 >= 1, fmt::format("C{}", continuity_of_j8),
+      "The Hoelder exponent is " + exponent_text(four_point) + "; smooth as a function of the parameter."));
   bool least = true;
   std::string all;
   for (const std::string& name : names()) {
@@ -188,6 +192,10 @@ void add_areas(Results& results) {
       statement("polyloops.j4.compromise",
                 polyloop_curve("J4").last().symbol == Rational(1, 2) * (cubic.symbol + four_point.symbol),
                 "J4 = (J0 + J8)/2, step by step"));
+  results.claims.push_back(statement("polyloops.j5.compromise",
+                                     polyloop_curve("J5").last().symbol ==
+                                         Rational(3, 8) * cubic.symbol + Rational(5, 8) * four_point.symbol,
+                                     "J5 = (3 J0 + 5 J8)/8, step by step"));
   std::vector<std::vector<Rational>> ratios;
   ratios.reserve(names().size());
   for (const std::string& name : names()) ratios.push_back(area_ratios(name));

@@ -33,6 +33,11 @@ ClaimHead printed(std::string id, std::string text, std::string definition,
 const std::array table{
     printed("polyloops.velocity", "V=(AB+BC)/2=(B–A+C–B)/2=(C–A)/2=AC/2",
             "An identity of linear forms in A, B and C."),
+    printed(
+        "polyloops.velocity.average",
+        "As you travel along an arc of J between vertices A and B, the average velocity vector will be AB",
+        "The mean of f' over a unit of time, f any polynomial of degree 6 with free coefficients: the "
+        "integral of its derivative is f(1) - f(0) = B - A."),
     finding("polyloops.velocity.order", "polyloops 1", series + "the error of V/h as velocity f'(0)."),
     printed("polyloops.acceleration", "g(B) = BC–AB = BC+BA = 2((A+C)/2–B)",
             "An identity of linear forms in A, B and C."),
@@ -43,6 +48,9 @@ const std::array table{
     finding("polyloops.jerk.order", "polyloops 1",
             series + "the error of j/h^3 as third derivative in the middle of the edge, f'''(0)."),
     printed("polyloops.radius.height", "h=AB•AC.left.direction",
+            identity + "AB . left(AC)/|AC| is the distance of B from the line AC, which is not negative. "
+                       "The moduli are polyloops.radius.height.modulus."),
+    finding("polyloops.radius.height.modulus", "polyloops 1",
             identity + "the square of AB . left(AC)/|AC| is that of the distance of B from the line AC."),
     printed("polyloops.radius.normal-component",
             "2h is the norm of the normal component of acceleration g(B)",
@@ -121,6 +129,18 @@ void add_differences(Results& results) {
   const Linear velocity = vertex_velocity(a, c);
   results.claims.push_back(
       statement("polyloops.velocity", velocity == Linear(((b - a) + (c - b)) * half), "(C-A)/2"));
+  // f = sum of c_k t^k, its derivative integrated from 0 to 1 term by term.
+  Function mean(0);
+  Function way(0);
+  constexpr int degree = 6;
+  for (int k = 1; k <= degree; ++k) {
+    const Function derivative = Function(k) * variable(k);
+    mean += derivative * fraction<Function>(1, k);
+    way += variable(k);
+  }
+  results.claims.push_back(
+      statement("polyloops.velocity.average", mean == way, "B - A",
+                "So of every curve with a velocity, by the fundamental theorem of calculus."));
   const Linear at_b = vertex_acceleration(a, b, c);
   const Linear at_c = vertex_acceleration(b, c, d);
   const bool same = at_b == Linear((c - b) - (b - a)) && at_b == Linear((c - b) + (a - b)) &&
@@ -150,9 +170,16 @@ void add_radii(Results& results) {
   const Function across = u(1) * chord(0) - u(0) * chord(1);  // AB . left(AC)
   const Function height = across * across / squared_length(chord);
   const Function distance = squared_area(u, chord) / squared_length(chord);
+  // AB = (1, 0), BC = (0, 1): a turn to the left.
+  const std::array<Function, 4> left_turn{Function(1), Function(0), Function(0), Function(1)};
+  const Function at_left_turn = across.evaluate(std::span<const Function>(left_turn));
+  const bool never_negative = height == distance && at_left_turn != Function(-1);
+  results.claims.push_back(statement(
+      "polyloops.radius.height", never_negative, "|AB . left(AC)|/|AC|",
+      "The product has a sign: it is negative where the polyloop turns left, -1/sqrt 2 for AB = (1, 0), "
+      "BC = (0, 1), and so would be the radius V^2/(2h). The distance is its modulus."));
   results.claims.push_back(
-      statement("polyloops.radius.height", height == distance, "|AB . left(AC)|/|AC|",
-                "The product has a sign: it is negative where the polyloop turns left."));
+      statement("polyloops.radius.height.modulus", height == distance, "|AB . left(AC)|/|AC|"));
   const Linear acceleration = vertex_acceleration(a, b, c);
   const Function normal = squared_area(acceleration, chord) / squared_length(chord);
   results.claims.push_back(

@@ -33,9 +33,11 @@ const std::array table{
             "the weights of {dual; dual} less those of B."),
     printed("polyloops.dual.tuck", "2 and 3.1", "dual2 is equivalent to tuck(1/2)",
             "{dual; dual} against tuck(1/2), vertices numbered anew."),
-    printed("polyloops.rd", "3.1",
-            "repeat the sequence {refine; dual;}: converges to the quadratic uniform B-spline curve",
-            "{refine; dual} against the quadratic B-spline's mask."),
+    printed(
+        "polyloops.rd", "3.1",
+        "repeat the sequence {refine; dual;}. As we do so, the polyloop converges to the quadratic uniform "
+        "B-spline curve",
+        "{refine; dual} against the quadratic B-spline's mask."),
     printed("polyloops.rdd", "3.1",
             "Repeating {refine; dual2;} converges to the cubic uniform B-spline curve",
             "{refine; dual; dual} against the cubic B-spline's mask."),
@@ -45,10 +47,12 @@ const std::array table{
             "Tweak tucks in the old vertices by moving them half-way towards the average of their new "
             "neighbors",
             "{split; tweak(1/2, 0)} against {refine; dual; dual}."),
-    printed("polyloops.rtu", "3.1", "four-point scheme: {refine; tuck(1/2); tuck(-1);}",
+    printed("polyloops.rtu", "3.1",
+            "we may use the four-point scheme. .. To do so, we repeat the sequence {refine; tuck(1/2); "
+            "tuck(–1);}",
             "the sequence against the four-point scheme's mask, w = 1/16."),
     printed("polyloops.split-tweak.four-point", "3.1",
-            "Tweak bulges out the new vertices by 1/8th away from the average of their third-degree "
+            "the Tweak bulges out the new vertices by 1/8th away from the average of their third-degree "
             "neighbors",
             "{split; tweak(0, 1/8)} against the four-point scheme's mask; third neighbours are three "
             "vertices off after split."),
@@ -65,10 +69,11 @@ const std::array table{
             "J(-4) against the quintic B-spline's mask."),
     printed("polyloops.family.j-4.continuity", "3.1", "J-4 has C4 continuity",
             "how often (1 + z)/2 divides the symbol of J(-4), and what is left."),
-    printed("polyloops.split-tweak.j4", "3.1",
-            "J4 can also be implemented as a Split&Tweak process: both the old and the new vertices are "
-            "tweaked, each by half of their tweak vectors in the previous two schemes",
-            "{split; tweak(1/4, 1/16)} against J(4)."),
+    printed(
+        "polyloops.split-tweak.j4", "3.1",
+        "J4 can also be implemented as a Split&Tweak process, but here both the old and the new vertices are "
+        "tweaked, each by half of their tweak vectors in the previous two schemes",
+        "{split; tweak(1/4, 1/16)} against J(4)."),
     finding("polyloops.split-tweak.family", "polyloops 3.1",
             symbols + "the shares o and n for which {split; tweak(o, n)} is J(s), for all s."),
 };
@@ -143,7 +148,7 @@ void add_schemes(Results& results) {
   results.claims.push_back(equality(
       "polyloops.rtu.caption", caption.rows == meant.rows,
       fmt::format(
-          "rtutu makes {} vertices of one, rturtu {}; it moves old vertices by {}, rturtu leaves them",
+          "rtutu makes {} vertices of one, rturtu {}; it moves old vertices to {}, rturtu leaves them",
           caption.outputs(), meant.outputs(), text_of(caption.rows[0])),
       "What is meant is rturtu: the sequence that is repeated begins with r. rtutu refines once only. "
       "The captions of the three "

@@ -274,6 +274,16 @@ TEST(PolyloopCurves, BestOnTheSquareBySearch) {
   EXPECT_EQ(find_claim(curves().claims, "polyloops.j5.square").verdict, Verdict::inconsistent);
 }
 
+TEST(PolyloopCurves, StatementsAndTheirVerdicts) {
+  EXPECT_EQ(find_claim(local().claims, "polyloops.radius.height").verdict, Verdict::refuted);
+  EXPECT_EQ(find_claim(local().claims, "polyloops.radius.height.modulus").verdict, Verdict::established);
+  EXPECT_EQ(find_claim(local().claims, "polyloops.velocity.average").verdict, Verdict::reproduced);
+  EXPECT_EQ(find_claim(curves().claims, "polyloops.j5.compromise").verdict, Verdict::reproduced);
+  const Claim& smooth = find_claim(curves().claims, "polyloops.j8.smooth");
+  EXPECT_EQ(smooth.verdict, Verdict::reproduced);
+  EXPECT_EQ(smooth.exact, "C1");  // Dubuc 1986: C1, and not C2
+}
+
 TEST(PolyloopCurves, J2PassesBesideTheMiddlesOfEdges) {
   const Loop fine = refined_by(loop_of(stored_polyloop("square")), times(12, 2));
   const double beyond = *std::ranges::max_element(fine.x) - 5;
