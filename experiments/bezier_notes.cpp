@@ -60,8 +60,11 @@ const std::array table{
               "Each of the six points of a split is half the sum of two points computed before."},
     ClaimHead{
         "notes.bezier.shifts", "notes", "1", "as bit shifts (if integers are used)", ClaimKind::exact,
-        "x >> 1 is x/2 rounded down, for integers of either sign: -64 .. 64, hence for all, as adding 2 "
-        "to x adds 1 to both."},
+        "Whether x >> 1 is the half of x, as the split asks, for all integers of either sign: for -64 .. 64, "
+        "hence for all, as adding 2 to x adds 1 to both."},
+    finding("notes.bezier.shifts.multiples", "notes 1",
+            "The least m > 0 such that a split by shifts is exact for all control points whose coordinates "
+            "are multiples of m."),
     finding("notes.bezier.shifts.error", "notes 1",
             "The largest distance, in a coordinate, of P0123 by shifts from the exact one, over all integer "
             "control points; residues modulo 8 decide."),
@@ -269,13 +272,20 @@ void add_flatness(Results& results) {
 
 void add_shifts(Results& results) {
   bool floors = true;
+  bool halves = true;
   constexpr int range = 64;
-  for (int x = -range; x <= range; ++x)
-    floors = floors && (x >> 1) == static_cast<int>(std::floor(static_cast<double>(x) / 2));
+  for (int x = -range; x <= range; ++x) {
+    const Rational half(x, 2);
+    floors = floors && Rational(x >> 1) == (x % 2 == 0 ? half : Rational(half - Rational(1, 2)));
+    halves = halves && Rational(x >> 1) == half;
+  }
+  if (!floors) throw std::logic_error("shifts do not round down");
   results.claims.push_back(statement(
-      "notes.bezier.shifts", floors, "rounded down",
-      "A sum that is odd has no integer half: the points are exact only when coordinates are multiples of 8 "
-      "for one split, of 8^k for k of them. See notes.bezier.shifts.error."));
+      "notes.bezier.shifts", halves, "x/2 for even x, (x-1)/2 for odd x",
+      "A shift halves even integers alone; odd ones it rounds down, and sums of two coordinates are odd or "
+      "even. Splits stay exact for all control points whose coordinates are multiples of m only if 8 divides "
+      "m for one split (notes.bezier.shifts.multiples), 8^k for k of them; some other points split exactly, "
+      "too, as 0, 2, 4, 6 do. What a split loses is notes.bezier.shifts.error."));
   const auto middle = [](int a, int b) { return (a + b) >> 1; };
   constexpr int residues = 8;
   Rational largest(0);
@@ -291,6 +301,27 @@ void add_shifts(Results& results) {
     }
   }
   results.claims.push_back(number("notes.bezier.shifts.error", largest));
+  // Sums of multiples of m for all of which the halves are whole: those of one point alone decide, as the
+  // points of a split are sums of their shares.
+  const auto exact_for_multiples = [](int m) {
+    bool exact = true;
+    for (std::size_t i = 0; i < 4; ++i) {
+      std::vector<Rational> points(4, Rational(0));
+      points[i] = Rational(m);
+      (void)split_bezier(points, [&](const Rational& a, const Rational& b) {
+        const Rational half = (a + b) / Rational(2);
+        exact = exact && half.is_integer();
+        return half;
+      });
+    }
+    return exact;
+  };
+  int m = 1;
+  while (!exact_for_multiples(m)) ++m;
+  results.claims.push_back(number(
+      "notes.bezier.shifts.multiples", Rational(m),
+      "P0123 has an eighth of P0, so that its multiples alone do. The second half of m, 0, 0, 0 is m/8, 0, "
+      "0, 0: k splits ask for multiples of 8^k."));
 }
 
 bool halved_by_exponent(std::uint64_t bits) {

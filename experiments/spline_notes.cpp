@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "analysis/limit_mask.h"
 #include "analysis/uniform_bspline.h"
@@ -411,12 +412,26 @@ void add_four_point_ends(Results& results) {
   results.claims.push_back(statement("notes.four-point.ends", ends, "[2, n - 2]",
                                      "After finitely many steps the sequence reaches beyond, to P_1 after "
                                      "one step; in the limit it does not."));
-  int n = fewest;
-  while (n - 2 <= 2) ++n;
-  const bool single = four_point_step(four_point_step(control_points(fewest))).size() <= 1;
-  if (!single) throw std::logic_error("four points bear a curve");
-  results.claims.push_back(number("notes.four-point.fewest", Rational(n + 1),
-                                  "Five points shrink to P_2, four are used up after two steps."));
+  // How many points so many control points have after 1, 2 and 3 steps: 2 N - 5 of N >= 3.
+  const auto sizes = [](int count) {
+    std::array<std::size_t, 3> result{};
+    Points points = control_points(count - 1);
+    for (std::size_t& size : result) {
+      points = four_point_step(points);
+      size = points.size();
+    }
+    return result;
+  };
+  // Those that stay as many at distances 2^-j shrink to a point; more of them grow with every step.
+  int count = 4;
+  std::string note;
+  for (;; ++count) {
+    const auto after = sizes(count);
+    note += fmt::format("{} control points: {} after 1, 2, 3 steps. ", count, fmt::join(after, ", "));
+    if (after[0] < after[1] && after[1] < after[2]) break;
+  }
+  results.claims.push_back(number("notes.four-point.fewest", Rational(count),
+                                  note + "Five stay five, at distances that are halved, and shrink to P_2."));
   constexpr int named = 5;
   results.claims.push_back(statement("notes.four-point.figure", ends, fmt::format("n = {}", named + 2),
                                      "Eight control points, P_0 .. P_7."));

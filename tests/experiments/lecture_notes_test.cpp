@@ -46,9 +46,10 @@ double bend(const Numbers& p) {
   return largest;
 }
 
-TEST(LectureNotes, EveryClaimIsSettledAndTwoAreRefuted) {
+TEST(LectureNotes, EveryClaimIsSettledAndThreeAreRefuted) {
   EXPECT_EQ(results().claims.size(), lecture_note_heads().size());
-  const std::set<std::string> refuted{"notes.cubic.sequence.2", "notes.loop.manifold.necessary"};
+  const std::set<std::string> refuted{"notes.bezier.shifts", "notes.cubic.sequence.2",
+                                      "notes.loop.manifold.necessary"};
   for (const Claim& claim : results().claims) {
     const Verdict expected = !claim.head.printed               ? Verdict::established
                              : refuted.contains(claim.head.id) ? Verdict::refuted
@@ -122,6 +123,30 @@ TEST(LectureNotes, ShiftsRoundDownByAtMostThis) {
   EXPECT_EQ(largest, value("notes.bezier.shifts.error"));
 }
 
+// By integer arithmetic: whether every sum that a split halves is even.
+TEST(LectureNotes, SplitsByShiftsThatAreExact) {
+  const auto is_exact = [](int a, int b, int c, int d) {
+    bool even = true;
+    const auto half = [&](int x, int y) {
+      even = even && (x + y) % 2 == 0;
+      return (x + y) / 2;
+    };
+    const int bc = half(b, c);
+    (void)half(half(half(a, b), bc), half(bc, half(c, d)));
+    return even;
+  };
+  EXPECT_TRUE(is_exact(0, 2, 4, 6)) << "no multiples of 8";
+  EXPECT_EQ(value("notes.bezier.shifts.multiples"), 8);
+  for (int m = 1; m <= 16; ++m) {
+    bool all = true;
+    for (int k = 0; k < 625; ++k)  // factors -2 .. 2 of m
+      all = all && is_exact(m * (k % 5 - 2), m * (k / 5 % 5 - 2), m * (k / 25 % 5 - 2), m * (k / 125 - 2));
+    EXPECT_EQ(all, m % 8 == 0) << m;
+  }
+  EXPECT_EQ(found("notes.bezier.shifts").verdict, Verdict::refuted);
+  EXPECT_NE(found("notes.bezier.shifts").note.find("only if 8 divides m"), std::string::npos);
+}
+
 TEST(LectureNotes, ExponentsByLibraryFunctions) {
   EXPECT_EQ(found("notes.bezier.exponent.least").exact, "2^-1021");
   const auto decremented = [](double x) {
@@ -185,7 +210,33 @@ TEST(LectureNotes, FourPointEndsByTheMask) {
   ASSERT_EQ(curve.size(), 3U * 1024 + 1);
   EXPECT_EQ(curve.front(), 4);  // P_2
   EXPECT_EQ(curve.back(), 9);   // P_5, the third from the end of eight
+}
+
+// Four are 3, 1, 0 of them, five stay five, six grow: printed points in numbers, until none has its four.
+TEST(LectureNotes, FewestPointsOfAFourPointCurve) {
+  const auto sizes = [](std::size_t count) {
+    Numbers p(count, 1.0);
+    std::vector<std::size_t> result;
+    for (int step = 0; step < 3; ++step) {
+      Numbers fine;
+      const std::size_t last = p.size() - 1;
+      for (std::size_t i = 1; !p.empty() && i < last; ++i) {
+        fine.push_back(p[i]);
+        if (i + 1 < last) fine.push_back((-p[i - 1] + 9 * p[i] + 9 * p[i + 1] - p[i + 2]) / 16);
+      }
+      p = fine;
+      result.push_back(p.size());
+    }
+    return result;
+  };
+  EXPECT_EQ(sizes(4), (std::vector<std::size_t>{3, 1, 0}));
+  EXPECT_EQ(sizes(5), (std::vector<std::size_t>{5, 5, 5}));
+  EXPECT_EQ(sizes(6), (std::vector<std::size_t>{7, 9, 13}));
   EXPECT_EQ(value("notes.four-point.fewest"), 6);
+  const std::string& note = found("notes.four-point.fewest").note;
+  for (const char* part :
+       {"4 control points: 3, 1, 0", "5 control points: 5, 5, 5", "6 control points: 7, 9, 13"})
+    EXPECT_NE(note.find(part), std::string::npos) << note;
 }
 
 // Second divided differences of the four-point curve of a unit impulse grow with every level, those of the
