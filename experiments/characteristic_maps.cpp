@@ -9,6 +9,7 @@
 
 #include "analysis/mesh/characteristic_map.h"
 #include "analysis/mesh/mesh_condition.h"
+#include "schemes/mesh/loop.h"
 
 namespace subdiv {
 namespace {
@@ -49,6 +50,11 @@ const std::array table{
             "The directional extension of J_{3/2}, biquintic pieces. " + proved),
     finding("mesh.characteristic-map.loop", "notes 4",
             "Loop's scheme with the weights of the notes, quartic triangles. " + proved),
+    ClaimHead{"notes.loop.smooth", "notes", "4",
+              "converges to a smooth (having a tangent plane everywhere) surface", ClaimKind::exact,
+              "Loop's scheme with the weights of the notes, valences 3 .. 30, 40, 50, 100 and 200, at "
+              "vertices, and so at all points of meshes of these valences without border: " +
+                  smooth_there + " Nothing is said of other valences."},
     finding("mesh.characteristic-map.loop-1987", "notes 4",
             "Loop's scheme with his own weights, quartic triangles. " + proved),
     finding("mesh.characteristic-map.kobbelt", "jsplines 10",
@@ -174,6 +180,25 @@ void add_grid(Results& results, const std::string& family, const std::string& na
       settle_statement(head(table, "mesh.smooth." + name), true, "smooth", note, Rigour::certified));
 }
 
+Claim smooth_loop() {
+  const MeshSchemeForms scheme = forms("loop");
+  const MeshScheme<RationalFunction> symbolic = loop<RationalFunction>();
+  const ModeEquation turning = turning_modes(symbolic);
+  bool smooth = true;
+  for (const int n : valences(3)) {
+    const SpectralCondition condition(turning, invariant_mode(symbolic, n), n);
+    const CharacteristicMap map = characteristic_map(scheme, n);
+    smooth = smooth && is_proved(map) && is_subdominant(condition, Rational(0), map);
+  }
+  if (!smooth) throw std::logic_error("loop: smoothness is not proved");
+  return settle_statement(
+      head(table, "notes.loop.smooth"), true, "smooth",
+      "For almost all control points, as Reif's theorem says: those for which the two leading directions at "
+      "a vertex are parallel or 0 (all points equal, say) may have no tangent plane. Away from extraordinary "
+      "vertices the surfaces are quartic box splines, C2 as functions of the lattice.",
+      Rigour::certified);
+}
+
 Matrix<Interval> square(const Matrix<Interval>& m) {
   Matrix<Interval> result = zero_matrix<Interval>(m.rows(), m.cols());
   for (Eigen::Index i = 0; i < m.rows(); ++i) {
@@ -240,6 +265,7 @@ Results run_characteristic_maps() {
   results.claims.push_back(
       proved_maps("mesh.characteristic-map.quintic", "jspline-mesh:s=3/2", valences(3), by_coefficients));
   results.claims.push_back(proved_maps("mesh.characteristic-map.loop", "loop", valences(3), by_coefficients));
+  results.claims.push_back(smooth_loop());
   results.claims.push_back(
       proved_maps("mesh.characteristic-map.loop-1987", "loop-1987", valences(3), by_coefficients));
   results.claims.push_back(

@@ -28,6 +28,9 @@ TEST(CharacteristicMaps, AllAreProved) {
     EXPECT_EQ(claim.rigour, Rigour::certified) << id;
   }
   EXPECT_EQ(test::find_claim(results().claims, "figure.characteristic-maps").verdict, Verdict::reproduced);
+  const Claim& smooth = test::find_claim(results().claims, "notes.loop.smooth");
+  EXPECT_EQ(smooth.verdict, Verdict::reproduced);
+  EXPECT_EQ(smooth.rigour, Rigour::certified);
 }
 
 TEST(CharacteristicMaps, EveryHeadIsSettledOnce) {
