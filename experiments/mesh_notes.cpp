@@ -2,9 +2,13 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <stdexcept>
 
 #include <fmt/format.h>
 
+#include "analysis/mesh/exact_condition.h"
+#include "analysis/mesh/mode_equation.h"
+#include "analysis/mesh/spectral_condition.h"
 #include "analysis/reif.h"
 #include "experiments/lecture_note_parts.h"
 #include "schemes/bspline.h"
@@ -40,6 +44,20 @@ const std::array table{
     ClaimHead{"notes.loop.manifold.necessary", "notes", "4",
               "In order for the computation to be possible, we need a manifold mesh", ClaimKind::exact,
               "Whether Loop's scheme is possible on the octahedron without one of its triangles."},
+    ClaimHead{
+        "notes.loop.manifold.solid", "notes", "4",
+        "it is possible to obtain a nice manifold triangulation of a surface of any 3D solid",
+        ClaimKind::exact,
+        "Whether the surface of two cubes that share one edge, and nothing else, has such a triangulation: "
+        "along that edge four sheets of the surface meet, so that any triangulation of it has edges with "
+        "four triangles there. Checked with two triangles for each square."},
+    ClaimHead{"notes.loop.valence-3.better", "notes", "4",
+              "For vertices of degree 3, weights of 7/16 for the central vertex and 3/16 for the three "
+              "neighboring ones work better",
+              ClaimKind::exact,
+              "At valence 3 with those weights and with 5/8 and 3/(8n) as at other valences: "
+              "whether 1 > lambda > all other moduli, lambda double, in modes 1 and n - 1, which a tangent "
+              "plane at the vertex asks for."},
     finding(
         "notes.loop.ridge", "notes 4, figure 7",
         "Loop's rules on the regular triangle lattice for data that depend on one lattice coordinate: the "
@@ -135,6 +153,64 @@ void add_manifolds(Results& results) {
       "The rules of figure 7 alone ask for two triangles at each edge. With the cubic B-spline along the "
       "border (edges 1/2, 1/2; vertices 1/8, 6/8, 1/8) the scheme works on meshes with boundary, and the "
       "border follows a curve of its own. What is necessary is a fan, closed or not, at each vertex."));
+}
+
+using Corner = std::array<int, 3>;
+
+/// The surface of unit cubes with these least corners, two triangles to a square, outside to the right hand's
+/// thumb. Cubes share their common vertices, or have their own.
+PolygonFaces cubes(const std::vector<Corner>& least, bool shared) {
+  constexpr std::array<std::array<Corner, 4>, 6> squares{{{{{0, 0, 0}, {0, 0, 1}, {0, 1, 1}, {0, 1, 0}}},
+                                                          {{{1, 0, 0}, {1, 1, 0}, {1, 1, 1}, {1, 0, 1}}},
+                                                          {{{0, 0, 0}, {1, 0, 0}, {1, 0, 1}, {0, 0, 1}}},
+                                                          {{{0, 1, 0}, {0, 1, 1}, {1, 1, 1}, {1, 1, 0}}},
+                                                          {{{0, 0, 0}, {0, 1, 0}, {1, 1, 0}, {1, 0, 0}}},
+                                                          {{{0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}}}};
+  std::map<std::pair<std::size_t, Corner>, long long> numbers;
+  std::vector<std::array<long long, 3>> faces;
+  for (std::size_t k = 0; k < least.size(); ++k) {
+    const auto number = [&](const Corner& corner) {
+      const Corner place{least[k][0] + corner[0], least[k][1] + corner[1], least[k][2] + corner[2]};
+      const auto next = static_cast<long long>(numbers.size());
+      return numbers.try_emplace({shared ? 0 : k, place}, next).first->second;
+    };
+    for (const auto& [a, b, c, d] : squares) {
+      faces.push_back({number(a), number(b), number(c)});
+      faces.push_back({number(a), number(c), number(d)});
+    }
+  }
+  return triangles(numbers.size(), faces);
+}
+
+void add_solids(Results& results) {
+  const std::vector<Corner> two{{0, 0, 0}, {1, 1, 0}};
+  const PolygonFaces apart = cubes(two, false);
+  if (find_fault(apart) || !all_edges_have(apart, 2)) throw std::logic_error("two cubes are no manifold");
+  const PolygonFaces joined = cubes(two, true);
+  int of_four = 0;
+  for (const auto& [edge, count] : triangles_of_edges(joined)) of_four += count == 4 ? 1 : 0;
+  const std::optional<MeshFault> fault = find_fault(joined);
+  results.claims.push_back(statement(
+      "notes.loop.manifold.solid", !fault, fmt::format("{} edge with four triangles", of_four),
+      fmt::format(
+          "Two cubes that share an edge are refused: face {} {}. Solids whose surface is a manifold have a "
+          "manifold triangulation. This one's has it only with two copies of the common edge, one for each "
+          "cube: the two meshes part there.",
+          fault ? fault->face + 1 : 0, fault ? fault->what : "")));
+}
+
+void add_valence_3(Results& results) {
+  const auto symbolic = loop<RationalFunction>();
+  const Decision with =
+      SpectralCondition(turning_modes(symbolic), invariant_mode(symbolic, 3), 3).decide(Rational(0));
+  const Decision without = exact_condition(loop_without_exception<Rational>(), 3);
+  results.claims.push_back(settle_statement(
+      claim("notes.loop.valence-3.better"), with == Decision::yes && without == Decision::no,
+      "holds with them, fails without",
+      "Modes 1 and 2 have 3/8 + cos(2 pi/3)/4 = 1/4. So has mode 0 with 5/8 and 3/8 (trace 5/4, eigenvalue "
+      "1), so that three directions shrink alike and no plane is left: notes.loop.exception. With 7/16 and "
+      "9/16 its other eigenvalue is 1/16.",
+      Rigour::certified));
 }
 
 /// The vertices at this end and around, which a rule may use.
@@ -237,6 +313,8 @@ Results run_meshes() {
   Results results;
   add_local(results);
   add_manifolds(results);
+  add_solids(results);
+  add_valence_3(results);
   add_smoothness(results);
   return results;
 }
