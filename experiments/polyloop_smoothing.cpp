@@ -123,6 +123,13 @@ std::vector<ClaimHead> make_table() {
           "the motion of vertices stops if they have converged to a uniformly sampled cubic curve",
           fixed +
               "That closed polyloops, which the chapter is about, can come to rest as more than a point."),
+      printed("polyloops.refine-then-smooth", "3",
+              "Applying a short sequence of refine operations and then applying a smoothing technique will "
+              "produce a smoother looking polyloop",
+              "The share of " + simple_polygons_text() +
+                  " whose sharpest turn (the greatest angle between consecutive edges, by exact squared "
+                  "cosines with their signs) is less sharp after {refine^2; tuck(1/2)^4}.",
+              ClaimKind::tendency),
       printed("polyloops.push-pull.shrinking", "2",
               "To avoid, or at least reduce the shrinking effect, one may use the push/pull approach",
               "The share of " + simple_polygons_text() +
@@ -407,6 +414,25 @@ PlanePolygon smoothed(const PlanePolygon& polygon, const std::string& text) {
   return result;
 }
 
+/// The least cos |cos| of the angle by which an edge turns to the next one: 1 for straight on, -1 for back.
+Rational sharpest_turn(const PlanePolygon& polygon) {
+  const std::size_t n = polygon.size();
+  const auto edge = [&](std::size_t i) {
+    const auto& [x, y] = polygon[i % n];
+    const auto& [next_x, next_y] = polygon[(i + 1) % n];
+    return std::pair(next_x - x, next_y - y);
+  };
+  Rational least(1);
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto [ux, uy] = edge(i);
+    const auto [vx, vy] = edge(i + 1);
+    const Rational lengths = (ux * ux + uy * uy) * (vx * vx + vy * vy);
+    const Rational dot = ux * vx + uy * vy;
+    if (!is_zero(lengths)) least = std::min(least, dot * abs(dot) / lengths);
+  }
+  return least;
+}
+
 Rational median(std::vector<Rational> values) {
   std::ranges::sort(values);
   const std::size_t n = values.size();
@@ -445,16 +471,21 @@ void add_areas(Results& results) {
   std::vector<Rational> both;
   int less = 0;
   int flat = 0;
+  int smoother = 0;
   for (const PlanePolygon& polygon : simple_polygons()) {
     const Rational whole = area(polygon);
     pulled.push_back(area(smoothed(polygon, "tuck(1/2)")) / whole);
     both.push_back(area(smoothed(polygon, "tuck(1/2); tuck(-1/2)")) / whole);
     if (abs(both.back() - Rational(1)) < abs(pulled.back() - Rational(1))) ++less;
     if (has_flat_ellipse(polygon)) ++flat;
+    if (sharpest_turn(polygon) < sharpest_turn(smoothed(polygon, "refine^2; tuck(1/2)^4"))) ++smoother;
   }
   const int total = static_cast<int>(simple_polygons().size());
   results.claims.push_back(settle_share(head(table(), "polyloops.push-pull.shrinking"), less, total,
                                         "Reduced, not avoided: see polyloops.push-pull.fixed.closed."));
+  results.claims.push_back(settle_share(
+      head(table(), "polyloops.refine-then-smooth"), smoother, total,
+      "Slow, as the chapter says: refine^2 makes four vertices of one before anything is smoothed."));
   const auto settle_median = [&](const std::string& id, const std::vector<Rational>& values) {
     const Rational value = median(values);
     constexpr int digits = 6;

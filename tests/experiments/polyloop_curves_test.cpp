@@ -261,8 +261,8 @@ TEST(PolyloopCurves, DistancesBySampling) {
 
 TEST(PolyloopCurves, BestOnTheSquareBySearch) {
   const Loop square = loop_of(stored_polyloop("square"));
-  const auto distance = [&](double s) {
-    const Loop fine = refined_by(square, times(8, s));
+  const auto distance = [&](double s, int levels = 8) {
+    const Loop fine = refined_by(square, times(levels, s));
     return std::max(sampled_distance(square, fine, 4), sampled_distance(fine, square, 1));
   };
   const double best = value_of(curves().claims, "polyloops.j5.square.best");
@@ -271,6 +271,8 @@ TEST(PolyloopCurves, BestOnTheSquareBySearch) {
     EXPECT_LT(distance(best), distance(best + off));
   }
   EXPECT_LT(distance(6), distance(5));
+  for (const double s : {4.0, 5.0, 6.0})  // the note of polyloops.j5.square
+    EXPECT_NEAR(distance(s), distance(s, 5), 0.0011);
   EXPECT_EQ(find_claim(curves().claims, "polyloops.j5.square").verdict, Verdict::inconsistent);
 }
 

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "experiments/data.h"
+#include "experiments/simple_polygons.h"
 #include "tests/experiments/find_claim.h"
 
 namespace subdiv {
@@ -102,6 +103,39 @@ TEST(PolyloopSmoothing, SeriesOfTransferFunctionsHasTheClosedForm) {
     EXPECT_NEAR(std::stod(row[5]), std::pow((1 - x / 2) * (1 + 0.7 * x), 20), 1e-12);
     EXPECT_NEAR(std::stod(row[6]), 1 - 2 * x * x / 3, 1e-13);
   }
+}
+
+TEST(PolyloopSmoothing, RefinedAndSmoothedTurnsByAngles) {
+  const auto sharpest = [](const std::vector<std::complex<double>>& p) {
+    double largest = 0;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      const auto next = p[(i + 1) % p.size()];
+      largest = std::max(largest, std::abs(std::arg((p[(i + 2) % p.size()] - next) / (next - p[i]))));
+    }
+    return largest;
+  };
+  int smoother = 0;
+  for (const PlanePolygon& polygon : simple_polygons()) {
+    std::vector<std::complex<double>> p;
+    for (const auto& [x, y] : polygon) p.emplace_back(x.to_double(), y.to_double());
+    const double before = sharpest(p);
+    for (int k = 0; k < 2; ++k) {
+      std::vector<std::complex<double>> fine;
+      for (std::size_t i = 0; i < p.size(); ++i) {
+        fine.push_back(p[i]);
+        fine.push_back((p[i] + p[(i + 1) % p.size()]) / 2.0);
+      }
+      p = fine;
+    }
+    for (int k = 0; k < 4; ++k) {
+      auto tucked = p;
+      for (std::size_t i = 0; i < p.size(); ++i)
+        tucked[i] = (p[(i + p.size() - 1) % p.size()] + 2.0 * p[i] + p[(i + 1) % p.size()]) / 4.0;
+      p = tucked;
+    }
+    smoother += sharpest(p) < before ? 1 : 0;
+  }
+  EXPECT_NEAR(value_of(smoothing().claims, "polyloops.refine-then-smooth") * 200, smoother, 1e-9);
 }
 
 TEST(PolyloopSmoothing, TheNoisyPolyloopFollowsItsRule) {  // data/README.md
