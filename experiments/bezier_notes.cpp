@@ -415,6 +415,14 @@ PlanePoints smooth_curve(const Plane& p) {
   return drawn(draw_to_depth({in_double(p)}, depth, most_segments));
 }
 
+/// A name beside a point of panel 0 or 1, by gnuplot's offset in characters: the panels of add_drawing stand
+/// 1.12 of their width apart.
+std::string name_at(const std::pair<Rational, Rational>& point, const std::string& name,
+                    const std::string& offset, double right) {
+  return fmt::format("\nset label '{}' at {:.6g},{:.6g} {}", name, point.first.to_double() + right,
+                     point.second.to_double(), offset);
+}
+
 void add_split_figure(Results& results) {
   const Plane p = polygon_from_data("figure-bezier.csv");
   const Plane first = middle_split(p, false);
@@ -433,12 +441,11 @@ void add_split_figure(Results& results) {
   };
   Drawing drawing{"figure-notes-bezier", "A Bezier curve is two Bezier curves (notes figure 1)", {}};
   drawing.panels.push_back(
-      {"P0 P1 P2 P3",
-       {{"", p, false, style::polygon}, {"", smooth_curve(p), false, style::line(2)}, dots(p)}});
+      {"the cubic", {{"", p, false, style::polygon}, {"", smooth_curve(p), false, style::line(2)}, dots(p)}});
   const auto& [x1, y1] = p[1];
   const auto& [x2, y2] = p[2];
   const Plane between{first[1], {(x1 + x2) / Rational(2), (y1 + y2) / Rational(2)}, second[2]};
-  drawing.panels.push_back({"P0 P01 P012 P0123, P0123 P123 P23 P3; P12 on top",
+  drawing.panels.push_back({"its halves",
                             {{"", p, false, style::polygon},
                              {"", between, false, style::polygon},
                              {"", first, false, style::line(0, 1.2)},
@@ -449,6 +456,21 @@ void add_split_figure(Results& results) {
                              dots(first),
                              dots(second)}});
   add_drawing(results, drawing);
+  constexpr double apart = 1.12;
+  const auto [left, most] = std::ranges::minmax(p, {}, [](const auto& point) { return point.first; });
+  const double next = apart * Rational(most.first - left.first).to_double();
+  std::string& setup = results.figures.back().setup;
+  const std::string above = "center offset 0,0.8";
+  const std::string below = "center offset 0,-0.8";
+  const std::string beside = "left offset 0.8,0";
+  for (const double right : {0.0, next}) {
+    setup += name_at(p[0], "P0", "left offset 0.9,-0.2", right) + name_at(p[1], "P1", above, right) +
+             name_at(p[2], "P2", above, right) + name_at(p[3], "P3", "right offset -0.9,-0.2", right);
+  }
+  setup += name_at(first[1], "P01", "right offset -0.6,0.4", next) + name_at(between[1], "P12", above, next) +
+           name_at(second[2], "P23", beside, next) +
+           name_at(first[2], "P012", "right offset -0.5,0.5", next) +
+           name_at(second[1], "P123", "left offset 0.4,0.6", next) + name_at(first[3], "P0123", below, next);
 }
 
 void add_adaptive_figure(Results& results) {

@@ -292,6 +292,20 @@ TEST(LectureNotes, TheAreaOfTheBezierFigureByShoelaces) {
   EXPECT_NEAR(value("figure.notes.bezier"), doubled / 2, 1e-6);
 }
 
+TEST(LectureNotes, TheBezierFigureNamesItsPoints) {
+  const auto figure = std::ranges::find(results().figures, "figure-notes-bezier", &Figure::name);
+  ASSERT_NE(figure, results().figures.end());
+  const auto count = [&](const std::string& name) {
+    int times = 0;
+    const std::string label = "set label '" + name + "' at ";
+    for (auto at = figure->setup.find(label); at != std::string::npos; at = figure->setup.find(label, at + 1))
+      ++times;
+    return times;
+  };
+  for (const char* name : {"P0", "P1", "P2", "P3"}) EXPECT_EQ(count(name), 2) << name;
+  for (const char* name : {"P01", "P12", "P23", "P012", "P123", "P0123"}) EXPECT_EQ(count(name), 1) << name;
+}
+
 /// The numbers of a column, as far as it goes.
 Numbers column(const Series& series, const std::string& name) {
   const auto place = std::ranges::find(series.columns, name);
