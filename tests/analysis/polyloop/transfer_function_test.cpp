@@ -101,6 +101,11 @@ TEST(TransferFunction, TiesGoToTheLowerFrequency) {
   const LargestGain shifted = largest_gain(three - Laurent<Rational>(1));  // cos 3 omega - 1: -2 at pi/3, pi
   EXPECT_EQ(shifted.gain.exact, "2");
   EXPECT_EQ(shifted.cosine, Algebraic(Rational(1, 2)));
+  // cos 4 omega - 1 is -2 at pi/4 and 3 pi/4, where cosines are irrational.
+  const Laurent<Rational> four = Laurent<Rational>::monomial(4, Rational(1, 2));
+  const LargestGain irrational = largest_gain(four + reverse(four) - Laurent<Rational>(1));
+  EXPECT_EQ(irrational.gain.exact, "2");
+  EXPECT_EQ(irrational.cosine, sqrt(Algebraic(Rational(1, 2))));
 }
 
 /// (1 + x/10^400)^300, x = 1 - c in [0, 2], is greatest at c = -1, by less than 1024 bits show.
