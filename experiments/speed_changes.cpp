@@ -173,22 +173,19 @@ bool ring_is_the_spline() {
 }  // namespace
 
 std::vector<ClaimHead> speed_change_heads() {
-  const auto printed = [](std::string id, std::string section, std::string text, std::string definition) {
-    return ClaimHead{std::move(id),   "speed",          std::move(section),
-                     std::move(text), ClaimKind::exact, std::move(definition)};
-  };
   const std::string capped =
       "The ring between a Catmull-Clark net, converted by (11), and one step of adjustable speed with (1): "
       "limits "
       "for sigma -> 1 of its weights over Q(sigma, n), for all valences. ";
   return {
-      printed("speed.eq10.matching", "V-A, equation (10)",
-              "By matching the BB representation of a Catmull-Clark net with the BB representation in Figure "
-              "4 (b)",
-              "The 15 coefficients that (13) gives for the net of (11), against the bicubic Bezier "
-              "coefficients of "
-              "the Catmull-Clark net (uniform B-splines), over Q(sigma) and for all valences."),
-      printed(
+      speed_head(
+          "speed.eq10.matching", "V-A, equation (10)",
+          "By matching the BB representation of a Catmull-Clark net with the BB representation in Figure "
+          "4 (b)",
+          "The 15 coefficients that (13) gives for the net of (11), against the bicubic Bezier "
+          "coefficients of "
+          "the Catmull-Clark net (uniform B-splines), over Q(sigma) and for all valences."),
+      speed_head(
           "speed.change", "IV", "At any subdivision step, σ can be changed",
           "The net is changed from the knots of sigma to those of tau; the tensor border (13) of either net, "
           "and the limit point with the weights (1) of either speed, over Q(sigma, tau, n), for all "
@@ -204,7 +201,7 @@ std::vector<ClaimHead> speed_change_heads() {
               "The largest sigma up to which no weight of (11) is negative: up to there the converted net "
               "lies in "
               "the convex hull of the Catmull-Clark net."),
-      printed(
+      speed_head(
           "speed.appendix", "V",
           "Only the formulas of Appendix V-C are needed to output nested surface rings in BB form",
           "Read: of the appendix's formulas (10) to (13), only (13). The three patches of a sector from "
@@ -217,11 +214,12 @@ std::vector<ClaimHead> speed_change_heads() {
           "Read: no formulas at all but (13). With any weights beta and gamma of the refined vertex, over "
           "Q(sigma, beta, gamma) and for all valences: the coefficients of a ring's sector that depend on "
           "beta or gamma, which V-C does not contain."),
-      printed("speed.limit-speed.border", "IV",
-              "in the limit σ → 1, we obtain .. a finite bi-3 cap consisting of the bi-3 tensor-border",
-              capped + "All coefficients of the corner patch but that at the vertex."),
-      printed("speed.limit-speed.centre", "IV", "plus the central limit point of Catmull-Clark-subdivision",
-              capped + "The coefficient of the corner patch at the vertex."),
+      speed_head("speed.limit-speed.border", "IV",
+                 "in the limit σ → 1, we obtain .. a finite bi-3 cap consisting of the bi-3 tensor-border",
+                 capped + "All coefficients of the corner patch but that at the vertex."),
+      speed_head("speed.limit-speed.centre", "IV",
+                 "plus the central limit point of Catmull-Clark-subdivision",
+                 capped + "The coefficient of the corner patch at the vertex."),
   };
 }
 

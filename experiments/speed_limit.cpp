@@ -317,18 +317,14 @@ SectorForm<Function> printed_limit(const Function& speed, const VertexWeights<Fu
 }
 
 std::vector<ClaimHead> speed_limit_heads() {
-  const auto printed = [](std::string id, std::string section, std::string text, std::string definition) {
-    return ClaimHead{std::move(id),   "speed",          std::move(section),
-                     std::move(text), ClaimKind::exact, std::move(definition)};
-  };
   const std::string unique =
       "The unique weights for which the limit point of a converted Catmull-Clark net, (11), is "
       "Catmull-Clark's: "
       "solution of two linear equations over Q(sigma, n). ";
   return {
-      printed("speed.eq1.beta", "II, equation (1)", "β := 18σσ̄(σ^2+σ̄)/(9+(n−4)(σ̄+1)^2)", unique),
-      printed("speed.eq1.gamma", "II, equation (1)", "γ := 9σ^2σ̄^2/(9+(n−4)(σ̄+1)^2)", unique),
-      printed(
+      speed_head("speed.eq1.beta", "II, equation (1)", "β := 18σσ̄(σ^2+σ̄)/(9+(n−4)(σ̄+1)^2)", unique),
+      speed_head("speed.eq1.gamma", "II, equation (1)", "γ := 9σ^2σ̄^2/(9+(n−4)(σ̄+1)^2)", unique),
+      speed_head(
           "speed.eq1.limit", "II and III",
           "The specific choice of β and γ places the central limit point at the central limit point of "
           "Catmull-Clark subdivision",
@@ -339,14 +335,15 @@ std::vector<ClaimHead> speed_limit_heads() {
           "speed.eq1.regular", "speed II, equation (1)",
           "(1) at n = 4: four times the weight of an edge and of a face neighbour when +-qa are inserted in "
           "both directions, over Q(sigma)."),
-      printed("speed.limit.structure", "III",
-              "The stencil for computing the extraordinary point is structurally equivalent. We only need to "
-              "replace α, β, γ by ᾰ := 1 − β̆ − γ̆, β̆, γ̆",
-              limit_point + "The places where it is not 0."),
-      printed("speed.limit.beta", "III", "β̆ := (2σ̄(β+γ)+σβ)/((σ^2+3σ̄)β+(2σ̄^2+σ̄+1)γ+σ(σ^2+2σ̄))",
-              limit_point + "Its weight of the mean of the edge neighbours."),
-      printed("speed.limit.gamma", "III", "γ̆ := (σ̄^2(β+2γ)+σγ)/((σ^2+3σ̄)β+(2σ̄^2+σ̄+1)γ+σ(σ^2+2σ̄))",
-              limit_point + "Its weight of the mean of the face neighbours."),
+      speed_head(
+          "speed.limit.structure", "III",
+          "The stencil for computing the extraordinary point is structurally equivalent. We only need to "
+          "replace α, β, γ by ᾰ := 1 − β̆ − γ̆, β̆, γ̆",
+          limit_point + "The places where it is not 0."),
+      speed_head("speed.limit.beta", "III", "β̆ := (2σ̄(β+γ)+σβ)/((σ^2+3σ̄)β+(2σ̄^2+σ̄+1)γ+σ(σ^2+2σ̄))",
+                 limit_point + "Its weight of the mean of the edge neighbours."),
+      speed_head("speed.limit.gamma", "III", "γ̆ := (σ̄^2(β+2γ)+σγ)/((σ^2+3σ̄)β+(2σ̄^2+σ̄+1)γ+σ(σ^2+2σ̄))",
+                 limit_point + "Its weight of the mean of the face neighbours."),
       finding(
           "speed.limit.unique", "speed III",
           "The derivative at 1 of the characteristic polynomial of mode 0, over Q(sigma, beta, gamma): not 0 "
@@ -355,12 +352,12 @@ std::vector<ClaimHead> speed_limit_heads() {
               "The limit point of Catmull-Clark by its own rules: the left eigenvector to 1, sum 1, over "
               "Q(n); the "
               "rule of the vertex is linear in 1/n, read off at two valences and verified at four more."),
-      printed(
+      speed_head(
           "speed.catmull-clark", "abstract", "For σ = 1/2, the Catmull-Clark algorithm is recovered",
           "One step at sigma = 1/2, with (1), between the change (11) and its inverse, against the rules of "
           "Catmull-Clark on two rings. " +
               any_valence),
-      printed(
+      speed_head(
           "speed.eq11.catmull-clark", "III",
           "applying (11), then (3) and reversing (11) proves that σ = 1/2 yields a subdivision scheme "
           "coinciding with Catmull-Clark subdivision",
@@ -370,10 +367,11 @@ std::vector<ClaimHead> speed_limit_heads() {
       finding("speed.catmull-clark.plain", "speed abstract",
               "The rules at sigma = 1/2 that are those of Catmull-Clark without a change of knots. " +
                   any_valence),
-      printed("speed.eq1.c1", "II", "The weights β and γ are chosen within a range that yields C1 surfaces",
-              "What C1 asks of beta and gamma, which enter mode 0 alone: with (1) its eigenvalues but 1 are "
-              "below "
-              "lambda of (8) in modulus, for every valence n >= 3 and every sigma in (0, 1)."),
+      speed_head(
+          "speed.eq1.c1", "II", "The weights β and γ are chosen within a range that yields C1 surfaces",
+          "What C1 asks of beta and gamma, which enter mode 0 alone: with (1) its eigenvalues but 1 are "
+          "below "
+          "lambda of (8) in modulus, for every valence n >= 3 and every sigma in (0, 1)."),
       finding(
           "speed.eq1.range", "speed II",
           "The (beta, gamma), real, for which mode 0 has no eigenvalue but 1, q^3 .. q^6 and two in |x| < "

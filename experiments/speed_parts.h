@@ -2,6 +2,7 @@
 
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "analysis/adjustable_speed/sector_form.h"
@@ -12,6 +13,13 @@ namespace subdiv {
 
 /// The parts of the experiment on the rules of adjustable speed: heads, and the claims of a table that holds
 /// them.
+
+/// The head of an exact claim that the paper prints.
+[[nodiscard]] inline ClaimHead speed_head(std::string id, std::string section, std::string text,
+                                          std::string definition) {
+  return {std::move(id),   "speed",          std::move(section),
+          std::move(text), ClaimKind::exact, std::move(definition)};
+}
 
 /// (1), the limit point and Catmull-Clark.
 [[nodiscard]] std::vector<ClaimHead> speed_limit_heads();

@@ -23,19 +23,16 @@ const std::string knots =
 const std::string over_sigma = " Over Q(sigma).";
 
 std::vector<ClaimHead> make_table() {
-  const auto printed = [](std::string id, std::string section, std::string text, std::string definition) {
-    return ClaimHead{std::move(id),   "speed",          std::move(section),
-                     std::move(text), ClaimKind::exact, std::move(definition)};
-  };
   std::vector<ClaimHead> table{
-      printed("speed.ratio", "abstract and II",
-              "partitions the neighborhood of an extraordinary point in the ratio σ : 1−σ",
-              knots + "The lengths of [qa, a] and [0, qa]."),
-      printed("speed.geometric", "II", "the knot intervals for fixed σ show a geometric progression",
-              knots + "Lengths of the intervals between neighbouring knots after three steps, from outside."),
-      printed("speed.recursive", "II", "knot ratios σ^2, σσ̄, σ̄σ, σ̄^2 in the second step",
-              "An interval split in the ratio sigma : q, and both parts again." + over_sigma),
-      printed(
+      speed_head("speed.ratio", "abstract and II",
+                 "partitions the neighborhood of an extraordinary point in the ratio σ : 1−σ",
+                 knots + "The lengths of [qa, a] and [0, qa]."),
+      speed_head(
+          "speed.geometric", "II", "the knot intervals for fixed σ show a geometric progression",
+          knots + "Lengths of the intervals between neighbouring knots after three steps, from outside."),
+      speed_head("speed.recursive", "II", "knot ratios σ^2, σσ̄, σ̄σ, σ̄^2 in the second step",
+                 "An interval split in the ratio sigma : q, and both parts again." + over_sigma),
+      speed_head(
           "speed.steps", "II, steps [1] to [4]",
           "Convert p to bi-3 BB form; extend C2 inwards; subdivide with ratio σ : σ̄; revert to p̃",
           knots +
@@ -43,54 +40,55 @@ std::vector<ClaimHead> make_table() {
               "with the same derivatives up to the second at a, de Casteljau's algorithm at qa, control "
               "points over the refined knots; against knot insertion." +
               over_sigma),
-      printed("speed.eq3", "II, equation (3)", "the non-zero w^ij_k are given by e1, e2 and w",
-              "The table of weights."),
+      speed_head("speed.eq3", "II, equation (3)", "the non-zero w^ij_k are given by e1, e2 and w",
+                 "The table of weights."),
       finding("speed.eq3.table", "speed II, equation (3)",
               "The non-zero weights w^ij_k for k = 2 .. 7 of one step: tensor products of knot insertion. " +
                   knots + "Others follow from the stated symmetries; p1 has the weights of (1)."),
-      printed("speed.eq3.e1", "II", "e1 := σ^2 + σ̄",
-              "The weight of the vertex's own control point when qa and -qa are inserted." + over_sigma),
-      printed("speed.eq3.e2", "II", "e2 := σ^2 + 3 σ̄",
-              "1/sigma times the weight of P_1 in P'_2 when qa is inserted." + over_sigma),
+      speed_head("speed.eq3.e1", "II", "e1 := σ^2 + σ̄",
+                 "The weight of the vertex's own control point when qa and -qa are inserted." + over_sigma),
+      speed_head("speed.eq3.e2", "II", "e2 := σ^2 + 3 σ̄",
+                 "1/sigma times the weight of P_1 in P'_2 when qa is inserted." + over_sigma),
       finding("speed.eq3.sums", "speed II, equations (2) to (4)",
               "The sum of the weights of each refined point, k = 1 .. 13, for all sigma, beta, gamma."),
       finding("speed.eq3.positive", "speed II, equations (1) to (4)",
               "Signs of all weights for all sigma in (0, 1) and all valences n >= 3, those of (1) included."),
-      printed("speed.eq2.bisectrix.6", "II", "w^ij_6 = w^ji_4",
-              "Weights of the refined points 4 and 6." + over_sigma),
-      printed("speed.eq2.bisectrix.3-7", "II", "w^ij_k = w^ji_k, k = 3, 7",
-              "Weights of the refined points 3 and 7." + over_sigma),
-      printed("speed.eq2.ray", "II", "w^i4_k = w^i2_k, k = 2, 5, 8",
-              "Weights of the refined points 2, 5 and 8." + over_sigma),
-      printed("speed.eq4.mirrored", "II, equation (4)", "w^ij_{11+k} = w^ji_{11−k}, k = 1, 2",
-              "Weights of the refined points 9, 10, 12 and 13." + over_sigma),
-      printed("speed.eq4.complete", "II, equation (4)",
-              "the 'outer' refined control points with refinement rules (4)",
-              "The printed weights of the refined points 8 .. 13 and those that follow by the symmetries, "
-              "against all that are not 0." +
-                  over_sigma),
-      printed("speed.eq4.next", "II, equation (4)", "need not be considered for the next subdivision step",
-              "The points that the rules of 1 .. 7 and of the third ring, 8 .. 13, read."),
-      printed("speed.eq11.complete", "V-A, equation (11)",
-              "nonzero entries are given below unless they follow from bisectrix symmetry or sector symmetry",
-              "The printed weights of k = 1 .. 7 and those that follow, against all that are not 0." +
-                  over_sigma),
-      printed(
+      speed_head("speed.eq2.bisectrix.6", "II", "w^ij_6 = w^ji_4",
+                 "Weights of the refined points 4 and 6." + over_sigma),
+      speed_head("speed.eq2.bisectrix.3-7", "II", "w^ij_k = w^ji_k, k = 3, 7",
+                 "Weights of the refined points 3 and 7." + over_sigma),
+      speed_head("speed.eq2.ray", "II", "w^i4_k = w^i2_k, k = 2, 5, 8",
+                 "Weights of the refined points 2, 5 and 8." + over_sigma),
+      speed_head("speed.eq4.mirrored", "II, equation (4)", "w^ij_{11+k} = w^ji_{11−k}, k = 1, 2",
+                 "Weights of the refined points 9, 10, 12 and 13." + over_sigma),
+      speed_head("speed.eq4.complete", "II, equation (4)",
+                 "the 'outer' refined control points with refinement rules (4)",
+                 "The printed weights of the refined points 8 .. 13 and those that follow by the symmetries, "
+                 "against all that are not 0." +
+                     over_sigma),
+      speed_head("speed.eq4.next", "II, equation (4)", "need not be considered for the next subdivision step",
+                 "The points that the rules of 1 .. 7 and of the third ring, 8 .. 13, read."),
+      speed_head(
+          "speed.eq11.complete", "V-A, equation (11)",
+          "nonzero entries are given below unless they follow from bisectrix symmetry or sector symmetry",
+          "The printed weights of k = 1 .. 7 and those that follow, against all that are not 0." +
+              over_sigma),
+      speed_head(
           "speed.eq13.complete", "V-C, equation (13)",
           "nonzero entries are given in (13) unless they follow from bisectrix symmetry or sector symmetry",
           "The printed weights, w^33_22 read for w^33_2, and those that follow, against all that are not 0." +
               over_sigma),
-      printed("speed.eq13.bisectrix", "V-C", "w̄^rs_ij = w̄^sr_ji",
-              "All weights of the tensor border." + over_sigma),
-      printed("speed.eq13.sector", "V-C", "w̄^4s_3j = w̄^2s_3j",
-              "All weights of the tensor border." + over_sigma),
-      printed("speed.eq13.factor", "V-C", "1/(1 + σ̄)^2",
-              "1 over the sum of the printed weights of a Bezier coefficient and those that follow by the "
-              "symmetries." +
-                  over_sigma),
-      printed("speed.doo-sabin", "IV",
-              "an adjustable-speed variant of Doo-Sabin subdivision has been derived",
-              "The variant's rules."),
+      speed_head("speed.eq13.bisectrix", "V-C", "w̄^rs_ij = w̄^sr_ji",
+                 "All weights of the tensor border." + over_sigma),
+      speed_head("speed.eq13.sector", "V-C", "w̄^4s_3j = w̄^2s_3j",
+                 "All weights of the tensor border." + over_sigma),
+      speed_head("speed.eq13.factor", "V-C", "1/(1 + σ̄)^2",
+                 "1 over the sum of the printed weights of a Bezier coefficient and those that follow by the "
+                 "symmetries." +
+                     over_sigma),
+      speed_head("speed.doo-sabin", "IV",
+                 "an adjustable-speed variant of Doo-Sabin subdivision has been derived",
+                 "The variant's rules."),
   };
   for (std::vector<ClaimHead> part : {printed_weight_heads(), speed_limit_heads(), speed_change_heads()})
     table.insert(table.end(), part.begin(), part.end());
