@@ -37,7 +37,9 @@ struct Figure {
   std::string x_label;
   std::string y_label;
   std::vector<Curve> curves;
-  std::string setup;  // further gnuplot commands before the plot: ranges, arrows, logscale
+  std::string setup;                     // further gnuplot commands before the plot: ranges, arrows, logscale
+  std::vector<std::string> claims = {};  // ids of the claims that the figure shows; a prefix that ends in "."
+                                         // stands for all below it
 };
 
 struct Results {
