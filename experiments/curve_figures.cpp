@@ -419,8 +419,7 @@ void add_design(Results& results) {
   const Laurent<Rational> mask = limit_mask(quintic.last());
   const Points controls = by_coordinate(
       given, given, [&](const auto& target, const auto&) { return retrofit_directly(mask, target); });
-  const auto records =
-      read_details<Rational>(std::filesystem::path(SUBDIVLAB_DATA_DIR) / "figure-omega-details.csv", 2);
+  const auto records = read_details<Rational>(data_folder() / "figure-omega-details.csv", 2);
   constexpr int depth = 6;
   std::vector<Detail<Plane>> details;
   Drawing drawing{"figure-design", "A shape of 3 control points and 11 details (*J_12/8, retrofitted)", {}};

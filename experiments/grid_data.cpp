@@ -4,13 +4,14 @@
 #include <utility>
 #include <vector>
 
+#include "experiments/data.h"
 #include "experiments/grid_file.h"
 #include "schemes/input_error.h"
 
 namespace subdiv {
 
 ControlGrid<SpacePoint> grid_from_data(const std::string& file_name) {
-  const std::filesystem::path path = std::filesystem::path(SUBDIVLAB_DATA_DIR) / file_name;
+  const std::filesystem::path path = data_folder() / file_name;
   const GridPoints<Rational> grid = grid_points(read_points<Rational>(path), path);
   if (grid.points.dimension() != 3)
     throw InputError(path.string() + ": expected the columns row,column,x,y,z");

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "experiments/data.h"
 #include "experiments/mesh_file.h"
 #include "experiments/mesh_pictures.h"
 #include "schemes/evaluate/refine_mesh.h"
@@ -72,7 +73,7 @@ Claim number(const std::string& id, const Rational& value) {
   return settle(claim(id), exact(value, "rational arithmetic"));
 }
 
-MeshFile stored(const char* name) { return read_mesh(std::filesystem::path(SUBDIVLAB_DATA_DIR) / name); }
+MeshFile stored(const char* name) { return read_mesh(data_folder() / name); }
 
 /// A mesh with exact points.
 struct ExactMesh {

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "experiments/data.h"
 #include "experiments/polygon_file.h"
 #include "schemes/input_error.h"
 
@@ -13,7 +14,7 @@ namespace subdiv {
 namespace {
 
 std::vector<PlanePolygon> read_family() {
-  const std::filesystem::path path = std::filesystem::path(SUBDIVLAB_DATA_DIR) / "simple-polygons.csv";
+  const std::filesystem::path path = data_folder() / "simple-polygons.csv";
   const PointList<Rational> points = read_points<Rational>(path);
   if (points.dimension() != 3) throw InputError(path.string() + ": expected lines polygon,x,y");
   std::vector<PlanePolygon> family;

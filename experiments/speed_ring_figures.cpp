@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
+#include "experiments/data.h"
 #include "experiments/mesh_file.h"
 #include "experiments/ring_shapes.h"
 #include "experiments/speed_rings.h"
@@ -21,7 +22,7 @@ using Eigen::Vector3d;
 const View above = view_from({1, -3, 6});
 
 RingModel blend() {
-  const MeshFile file = read_mesh(std::filesystem::path(SUBDIVLAB_DATA_DIR) / "speed-blend.obj");
+  const MeshFile file = read_mesh(data_folder() / "speed-blend.obj");
   return {surface_of(file), file.points};
 }
 

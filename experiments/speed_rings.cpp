@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "analysis/adjustable_speed/sector_form.h"
+#include "experiments/data.h"
 #include "experiments/mesh_file.h"
 #include "experiments/ring_shapes.h"
 #include "experiments/speed_connectivity.h"
@@ -215,7 +216,7 @@ Rational fault_at_vertex(const SectorNet<SpacePoint>& net, const Rational& sigma
 }
 
 void add_faults(Results& results) {
-  const MeshFile file = read_mesh(std::filesystem::path(SUBDIVLAB_DATA_DIR) / "speed-blend.obj");
+  const MeshFile file = read_mesh(data_folder() / "speed-blend.obj");
   const MeshTopology mesh = surface_of(file);
   std::vector<SpacePoint> points;
   const std::vector<int> around = fan_vertices(mesh, mesh.outgoing(0), 2).value();
