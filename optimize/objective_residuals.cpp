@@ -37,7 +37,7 @@ std::vector<Function> fit_residuals(const Objective& objective, const Scheme<Fun
   const Laurent<Function> iterate = iterated_symbol(scheme, objective.level);
   const Function mean = sum(euler_derivative(iterate)) / sum(iterate);
   const Rational centre = constant_centre(to_string(objective), scheme, mean);
-  const Rational spacing = Rational::power_of_two(-objective.level);
+  const Rational spacing = pow(Rational(scheme.arity()), -objective.level);
   // Where the iterate has no coefficient but the B-spline a value, the residual is the value.
   const Rational reach = target.half_width() / spacing;
   const int first = std::min(iterate.first(), static_cast<int>((-floor(reach - centre)).to_integer()));
@@ -102,6 +102,13 @@ std::vector<Function> residuals_of(const Scheme<Function>& scheme, const Objecti
   throw std::logic_error("no such objective");
 }
 
+/// The others speak of old points and new ones between two of them, or of integrals that are known for two
+/// steps a level.
+bool takes_any_arity(const Objective& objective) {
+  return objective.kind == Objective::Kind::vertex || objective.kind == Objective::Kind::area ||
+         (objective.kind == Objective::Kind::fit_bspline && !objective.continuum);
+}
+
 bool is_jspline_family(const Scheme<Function>& scheme) {
   return scheme.is_stationary() && scheme.last() == jspline(Function::variable(0));
 }
@@ -114,6 +121,7 @@ bool is_continuum(const Objective& objective) {
 
 Problem make_problem(const Scheme<Function>& scheme, const Objective& objective, Norm norm,
                      std::vector<Range> box, std::vector<std::string> names) {
+  if (!takes_any_arity(objective)) require_binary(to_string(objective), scheme);
   require_steps(to_string(objective), scheme);
   const bool squared = is_continuum(objective);
   if (squared && norm != Norm::l2) {

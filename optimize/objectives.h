@@ -16,10 +16,10 @@ namespace subdiv {
 /// "popping:level=3".
 ///
 /// - fit-bspline: the coefficients of the scheme's iterate of a level (level=8), minus B_d (degree=d, must be
-///   given) at the same abscissae: coefficient i of k steps stands at (i - centre)/2^k, centre the mean of
-///   the coefficients' indices, and B_d is centred at 0 (js-report 4, jsplines 4). With the option continuum:
-///   the limit function itself minus B_d over the real line; l2 for any scheme with a centre at an integer or
-///   half an integer, l1 and linf for jspline:s=NAME alone.
+///   given) at the same abscissae: coefficient i of k steps stands at (i - centre)/m^k, m the arity, centre
+///   the mean of the coefficients' indices, and B_d is centred at 0 (js-report 4, jsplines 4). With the
+///   option continuum: the limit function itself minus B_d over the real line; l2 for any scheme with a
+///   centre at an integer or half an integer, l1 and linf for jspline:s=NAME alone.
 /// - vertex: the limit mask at an old vertex minus the identity (js-report 6).
 /// - edge: the limit mask at a new mid-edge vertex minus (1/2, 1/2) (js-report 7).
 /// - area: the area mask minus that of polygons (js-report 8).
@@ -27,8 +27,8 @@ namespace subdiv {
 ///   before made of an impulse with the parameters that were best for each of them in turn (level=1)
 ///   (jsplines 11).
 ///
-/// All work in every norm, for schemes of arity 2: primal ones in all but fit-bspline and area, stationary
-/// ones in popping.
+/// All work in every norm; fit-bspline (without continuum), vertex and area for schemes of any arity, the
+/// others for arity 2; for primal schemes in all but fit-bspline and area, for stationary ones in popping.
 struct Objective {
   enum class Kind { fit_bspline, vertex, edge, area, popping };
   Kind kind = Kind::vertex;

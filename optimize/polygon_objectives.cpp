@@ -86,6 +86,7 @@ class PolygonProblem {
 
   Summary minimise() const {
     require_polygon();
+    require_binary(to_string(objective_), scheme_);
     require_steps(to_string(objective_), scheme_);
     require_primal(to_string(objective_), scheme_);
     if (box_.empty()) {

@@ -15,20 +15,25 @@ RationalFunction limit_mean(const Scheme<RationalFunction>& scheme) {
   bool is_last = true;
   for (auto step = scheme.steps.rbegin(); step != scheme.steps.rend(); ++step) {
     const RationalFunction own = sum(euler_derivative(step->symbol)) / sum(step->symbol);
-    mean = is_last ? own : (mean + own) / RationalFunction(2);
+    mean = is_last ? own / RationalFunction(scheme.arity() - 1)
+                   : (mean + own) / RationalFunction(scheme.arity());
     is_last = false;
   }
   return mean;
 }
 
+void require_binary(const std::string& objective, const Scheme<RationalFunction>& scheme) {
+  if (scheme.arity() == 2) return;
+  lacks(objective, scheme, fmt::format("the objective needs arity 2, the scheme has {}", scheme.arity()));
+}
+
 void require_steps(const std::string& objective, const Scheme<RationalFunction>& scheme) {
-  if (scheme.arity() != 2) {
-    lacks(objective, scheme, fmt::format("the objective needs arity 2, the scheme has {}", scheme.arity()));
-  }
   for (const Mask<RationalFunction>& step : scheme.steps) {
     const RationalFunction total = sum(step.symbol);
-    if (total == RationalFunction(2)) continue;
-    lacks(objective, scheme, "the coefficients of a step add up to " + total.to_string() + ", not to 2");
+    if (total == RationalFunction(scheme.arity())) continue;
+    lacks(
+        objective, scheme,
+        fmt::format("the coefficients of a step add up to {}, not to {}", total.to_string(), scheme.arity()));
   }
 }
 

@@ -12,11 +12,14 @@ namespace subdiv {
 [[noreturn]] void lacks(const std::string& objective, const Scheme<RationalFunction>& scheme,
                         const std::string& what);
 
-/// Arity 2, and steps whose coefficients add up to 2.
+/// Arity 2.
+void require_binary(const std::string& objective, const Scheme<RationalFunction>& scheme);
+
+/// Steps whose coefficients add up to the arity.
 void require_steps(const std::string& objective, const Scheme<RationalFunction>& scheme);
 
-/// The mean of the limit of a unit impulse: the sum of mean_k / 2^(k+1) over the steps, mean_k the mean index
-/// of step k's coefficients.
+/// The mean of the limit of a unit impulse: the sum of mean_k / m^(k+1) over the steps, m the arity and
+/// mean_k the mean index of step k's coefficients.
 [[nodiscard]] RationalFunction limit_mean(const Scheme<RationalFunction>& scheme);
 
 /// A centre that does not move with the parameters.
