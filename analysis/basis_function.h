@@ -39,9 +39,9 @@ Laurent<R> basis_values(const Scheme<R>& scheme, int level, int derivative = 0) 
 /// integral is 0, after the last element it is 1. I(t) = (1/m) sum a_i I(m t - i).
 template <class R>
 struct BasisIntegral {
-  int lowest = 0;
-  int level = 0;
-  std::vector<R> values;
+  int lowest = 0;         ///< index of the left end of the support
+  int level = 0;          ///< of the abscissae i / m^level
+  std::vector<R> values;  ///< one for each index from lowest on
 
   /// The integral from -infinity to i / m^level, for any i.
   [[nodiscard]] R at(int i) const {
@@ -51,6 +51,7 @@ struct BasisIntegral {
   }
 };
 
+/// The table of a level >= 0. Throws std::domain_error where that equation has no or no unique solution.
 template <ExactRing R>
 BasisIntegral<R> basis_integral(const Mask<R>& mask, int level) {
   const int m = mask.arity;

@@ -13,10 +13,10 @@ namespace subdiv {
 /// phi and phi' at the integers, and cells_i = integral of phi over [i, i+1].
 template <class R>
 struct BasisTables {
-  Laurent<R> mask;
-  Laurent<R> values;
-  Laurent<R> slopes;
-  Laurent<R> cells;
+  Laurent<R> mask;    ///< a_i
+  Laurent<R> values;  ///< phi(i)
+  Laurent<R> slopes;  ///< phi'(i)
+  Laurent<R> cells;   ///< the integral of phi over [i, i+1]
 };
 
 /// The tables over an exact field. phi must be C^1. Throws std::domain_error when the arity is not 2 or the
@@ -32,6 +32,7 @@ BasisTables<R> basis_tables(const Mask<R>& mask) {
           Laurent<R>(mask.symbol.first(), cells)};
 }
 
+/// The same tables over another ring: the map is applied to each coefficient.
 template <class R, class Map>
 auto map_coefficients(const BasisTables<R>& t, Map map) {
   using S = decltype(map(t.mask[0]));
@@ -43,9 +44,9 @@ auto map_coefficients(const BasisTables<R>& t, Map map) {
 /// 1 - a.last() .. i - a.first() whose copies meet I; the P_k are coefficients of the iterate of that level.
 template <class R>
 struct BasisPiece {
-  Rational left;  // i / 2^level
-  int level = 0;
-  std::vector<R> coefficients;
+  Rational left;                ///< i / 2^level
+  int level = 0;                ///< the interval is as wide as 2^-level
+  std::vector<R> coefficients;  ///< P_k, in ascending order of k
 
   [[nodiscard]] Rational width() const { return Rational::power_of_two(-level); }
   [[nodiscard]] Rational right() const { return left + width(); }
@@ -56,6 +57,7 @@ struct BasisPiece {
 template <class R>
 class LocalBasis {
  public:
+  /// From the tables of a mask whose indices run from first to last.
   LocalBasis(BasisTables<R> tables, int first, int last)
       : tables_(std::move(tables)),
         first_(first),
@@ -84,6 +86,7 @@ class LocalBasis {
     return piece;
   }
 
+  /// The pieces on the two halves of the interval, left one first.
   [[nodiscard]] std::pair<BasisPiece<R>, BasisPiece<R>> halves(const BasisPiece<R>& piece) const {
     std::vector<R> fine;
     fine.reserve(children_.size());

@@ -14,6 +14,7 @@ namespace subdiv {
 /// CAGD, chapters 5, 16). It lies between its smallest and its largest coefficient.
 class BernsteinForm {
  public:
+  /// The form of f, a polynomial in x_0 and x_1 alone, on a cell of the plane.
   BernsteinForm(const Polynomial& f, const ParameterBox& cell);
 
   [[nodiscard]] const std::vector<Rational>& coefficients() const { return c_; }

@@ -30,15 +30,16 @@ namespace subdiv {
 
 /// Limits of a proof by subdivision of the t-axis.
 struct DistanceOptions {
-  Rational tolerance = Rational::power_of_two(-112);  // an uncertainty below which no interval is halved
-  long precision = 256;                               // bits of interval arithmetic
-  int max_pieces = 100000;
+  Rational tolerance = Rational::power_of_two(-112);  ///< an uncertainty below which no interval is halved
+  long precision = 256;                               ///< bits of interval arithmetic
+  int max_pieces = 100000;                            ///< intervals of t before the proof gives up
 };
 
 /// The integral of |e|, the largest |e|. For 0 < s <= 3 and degree >= 1, else std::domain_error. The status
 /// is out_of_depth when the pieces ran out; the enclosure holds all the same.
 [[nodiscard]] Enclosure bspline_distance_l1(const Rational& s, int degree,
                                             const DistanceOptions& options = {});
+/// The largest |phi_s(t) - B_degree(t)| over all t for J_s: certified, by halving intervals of t.
 [[nodiscard]] Enclosure bspline_distance_linf(const Rational& s, int degree,
                                               const DistanceOptions& options = {});
 
@@ -55,15 +56,18 @@ class BsplineDifference {
   /// Throws std::domain_error unless 0 < s <= 3 and degree >= 1.
   BsplineDifference(const Rational& s, int degree, long precision);
 
+  /// The difference on one interval of t.
   struct Piece {
-    BasisPiece<Interval> basis;
-    Interval left;  // e at the ends
-    Interval right;
-    Interval curvature;  // holds e'' on the piece
+    BasisPiece<Interval> basis;  ///< phi on the interval
+    Interval left;               ///< e at the ends
+    Interval right;              ///< e at its right end
+    Interval curvature;          ///< holds e'' on the piece
   };
   /// The pieces of level 1 of [lower, upper], integers: no knot lies inside them.
   [[nodiscard]] std::vector<Piece> pieces(int lower, int upper) const;
+  /// The pieces on the two halves of the interval, left one first.
   [[nodiscard]] std::pair<Piece, Piece> halves(const Piece& piece) const;
+  /// The integral of e over the piece.
   [[nodiscard]] Interval integral(const Piece& piece) const;
   /// Its upper end is at least the most that e differs from its chord on the piece.
   [[nodiscard]] static Interval bow(const Piece& piece);

@@ -12,10 +12,10 @@ namespace subdiv {
 /// left out, and `cut`, which belongs to it: polytopes that all products of one length map into themselves
 /// and contract.
 struct ContractionEnd {
-  Algebraic end;
-  Rational cut;
-  int length = 1;
-  std::vector<PolytopeProof> polytopes;
+  Algebraic end;                         ///< the excluded end, where a product gets the spectral radius 1
+  Rational cut;                          ///< how far the proof reaches
+  int length = 1;                        ///< of the products that contract
+  std::vector<PolytopeProof> polytopes;  ///< on parts that cover the range in turn
 };
 
 /// Looks for that proof at the number `end` where the product of a word gets the eigenvalue 1 or -1, with the

@@ -10,11 +10,11 @@ namespace subdiv {
 /// Where the joint spectral radius of a family T_0(p), T_1(p), .. is below 1, as an exact interval: one of
 /// its ends is the algebraic number p* at which the leading product gets an eigenvalue 1.
 struct ContractionRange {
-  RealInterval range;
-  int length = 1;  // of the products that `products` bounds
+  RealInterval range;  ///< of the parameter p
+  int length = 1;      ///< of the products that `products` bounds
   std::vector<PolytopeProof>
-      products;  // unit ball of the 1-norm for all products of this length, away from p*
-  std::vector<PolytopeProof> polytopes;  // near p*
+      products;  ///< unit ball of the 1-norm for all products of this length, away from p*
+  std::vector<PolytopeProof> polytopes;  ///< near p*
 };
 
 /// The vertices of a polytope that the family maps into itself for p below (or above) p* and near it. Let the

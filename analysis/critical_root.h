@@ -9,10 +9,10 @@ namespace subdiv {
 
 /// A root of a polynomial, isolated in [lower, upper]; exact when it is rational or a quadratic surd.
 struct IsolatedRoot {
-  Rational lower;
-  Rational upper;
-  std::optional<Algebraic> exact;
-  long degree = 0;  // of the polynomial
+  Rational lower;                  ///< the left end
+  Rational upper;                  ///< the right end
+  std::optional<Algebraic> exact;  ///< when it has a closed form of degree 1 or 2
+  long degree = 0;                 ///< of the polynomial
 };
 
 /// The least s in [inside, outside] at which one of the classes reaches the norm 1, when it is proved that

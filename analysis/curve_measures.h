@@ -22,6 +22,7 @@ using Polyline = CoordinateArrays<double>;
 
 /// How many points and edges the curve has.
 [[nodiscard]] std::size_t curve_size(const Topology& topology);
+/// Likewise: one edge less than points where the curve is open.
 [[nodiscard]] std::size_t edge_count(const Topology& topology);
 
 /// The sum of the edges' lengths; 0 for fewer than two points.
@@ -42,9 +43,10 @@ using Polyline = CoordinateArrays<double>;
 /// a closed polygon, edge i from point i; for the n - 3 inner edges of an open one.
 [[nodiscard]] std::vector<double> normal_jerks(const Polyline& polyline);
 
+/// The normal jerk of a polygon, absolute values over all edges.
 struct NormalJerk {
-  double largest = 0;  // of the absolute values
-  double mean = 0;
+  double largest = 0;  ///< of the absolute values
+  double mean = 0;     ///< over all edges
 };
 /// 0 for polygons without such edges.
 [[nodiscard]] NormalJerk normal_jerk(const Polyline& polyline);

@@ -7,6 +7,7 @@ namespace subdiv {
 /// A point in time after which a computation stops and says what it has reached.
 class Deadline {
  public:
+  /// That many seconds from now, of a clock that never goes back.
   explicit Deadline(double seconds) : end_(Clock::now() + std::chrono::duration<double>(seconds)) {}
 
   [[nodiscard]] bool passed() const { return Clock::now() >= end_; }

@@ -12,8 +12,8 @@ namespace subdiv {
 /// The difference symbols of a one-parameter family of schemes: d(z) with coefficients in Q[s] (see
 /// iterate_norm.h).
 struct DifferenceFamily {
-  int arity = 2;
-  Laurent<UnivariatePolynomial> symbol;
+  int arity = 2;                         ///< m, 2 or 3
+  Laurent<UnivariatePolynomial> symbol;  ///< d(z), coefficients polynomials in s
 };
 
 /// m^c a(z) / (1 + .. + z^(m-1))^(c+1) for a mask whose only parameter is s = x_0. Throws std::domain_error

@@ -16,10 +16,11 @@ namespace subdiv {
 struct Eigenvalue {
   std::optional<Algebraic> exact;  ///< the value, of every real eigenvalue of a rational matrix
   Interval real;                   ///< encloses the real part
-  Interval imaginary;
-  int multiplicity = 1;
+  Interval imaginary;              ///< exactly 0 for a real eigenvalue
+  int multiplicity = 1;            ///< algebraic
 
   [[nodiscard]] bool is_real() const { return imaginary.is_exactly_zero(); }
+  /// An enclosure of the absolute value.
   [[nodiscard]] Interval modulus() const;
   /// The exact value, or "0.25+-0.66i" to the given digits.
   [[nodiscard]] std::string to_string(int digits = 15) const;

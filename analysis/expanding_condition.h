@@ -12,8 +12,8 @@ namespace subdiv {
 /// A polynomial g over Q in the parameters of a family T_0, T_1, ..: wherever g <= 0 and the family has no
 /// pole, the product of this word has a spectral radius of at least 1.
 struct ExpandingCondition {
-  Word word;
-  Polynomial g;
+  Word word;     ///< whose product expands
+  Polynomial g;  ///< at most 0 where it does
 };
 
 /// From the irreducible factors f(x) = f_d x^d + .. + f_0 of the characteristic equation of a word's product,
@@ -26,12 +26,14 @@ struct ExpandingCondition {
 /// passes; each polynomial once, with a shortest word.
 [[nodiscard]] std::vector<ExpandingCondition> expanding_conditions(
     const std::vector<Matrix<RationalFunction>>& family, int longest, const Deadline& deadline);
+/// The same without a deadline.
 [[nodiscard]] std::vector<ExpandingCondition> expanding_conditions(
     const std::vector<Matrix<RationalFunction>>& family, int longest);
 
 /// A polynomial prepared for ranges over many boxes.
 class RangedPolynomial {
  public:
+  /// Of p in x_0 .. x_{variables-1}, with its partial derivatives.
   RangedPolynomial(const Polynomial& p, std::size_t variables);
 
   /// Encloses the values for x_k in the intervals: the mean-value form and the plain one, whichever tells

@@ -10,16 +10,16 @@ namespace subdiv {
 /// A part of a line of parameters on which a condition holds (expanding_condition.h), with the words of the
 /// conditions that show it: at each point of the part one of them at least.
 struct ExpandingPart {
-  RealInterval range;
-  std::vector<Word> words;
+  RealInterval range;       ///< where a condition holds
+  std::vector<Word> words;  ///< of the conditions
 };
 
 /// A maximal interval on which no condition holds. Its open ends are roots of conditions, of which the words
 /// are named; its closed ends are those of the line.
 struct OpenGap {
-  RealInterval range;
-  std::vector<Word> at_lower;
-  std::vector<Word> at_upper;
+  RealInterval range;          ///< where none holds
+  std::vector<Word> at_lower;  ///< of the conditions that end there; empty at the line's end
+  std::vector<Word> at_upper;  ///< of those that begin there
 };
 
 /// The exact partition of a closed interval of one parameter x_0 by conditions, found one after the other.

@@ -6,8 +6,8 @@ namespace subdiv {
 
 /// lower <= distance <= upper in exact arithmetic; rounding adds some 1e-15 of the polylines' extent.
 struct DistanceBounds {
-  double lower = 0;
-  double upper = 0;
+  double lower = 0;  ///< proved, for the polylines as sets of points
+  double upper = 0;  ///< at most the tolerance more
 
   [[nodiscard]] double width() const { return upper - lower; }
 };
@@ -28,8 +28,8 @@ struct DistanceBounds {
 
 /// Disparity of consecutive levels, what switching from a polygon to its refinement moves (jsplines 11).
 struct Disparity {
-  double displacement = 0;   // the largest distance of a new point from its place on the parent's edges
-  DistanceBounds hausdorff;  // between the two polygons
+  double displacement = 0;   ///< the largest distance of a new point from its place on the parent's edges
+  DistanceBounds hausdorff;  ///< between the two polygons
 };
 
 /// Between `controls` and its first refinement, and so on: one a level, `levels` of them. For primal schemes:

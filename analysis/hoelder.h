@@ -18,16 +18,16 @@ namespace subdiv {
 /// k < exponent (Daubechies & Lagarias, SIAM J. Math. Anal. 23, 1992; Rioul, same volume). It converges when
 /// it is C^0.
 struct Smoothness {
-  int factors = 0;  // n
-  JointSpectralRadius radius;
+  int factors = 0;             ///< n
+  JointSpectralRadius radius;  ///< of the transition matrices of b
   /// At most n, because rho >= 1/m. Not positive for a scheme that diverges. Where coefficients are
   /// intervals that do not exclude further factors, a radius that may be 1/m leaves every exponent above
   /// open, up to the number of factors that the degree allows.
   Enclosure exponent;
-  Decision converges = Decision::undecided;
+  Decision converges = Decision::undecided;  ///< C^0: whether limits exist for all data
   /// C^k is proved for k up to `continuity` (-1: not even C^0), and excluded above `continuity_limit`.
   int continuity = -1;
-  int continuity_limit = -1;
+  int continuity_limit = -1;  ///< the largest k that is not excluded
   /// Whether derivatives of the order floor(exponent) (one less for an integer) satisfy a Hoelder condition
   /// (Lipschitz for an integer) with this very exponent: whether the iterates divided by rho^k stay bounded,
   /// for an integer exponent j those of the j-th divided differences.
@@ -38,16 +38,18 @@ struct Smoothness {
 /// dependent: then the limits are those of a scheme with another symbol (unstable_shifts.h).
 template <class R>
 struct SmoothnessReport {
-  Smoothness scheme;
-  Smoothness limits;
-  IndependentForm<R> reduction;
+  Smoothness scheme;             ///< in the sense of its differences
+  Smoothness limits;             ///< of the limits
+  IndependentForm<R> reduction;  ///< the symbol that the limits have
 };
 
 /// The smoothness of a scheme in the sense of its differences.
 [[nodiscard]] Smoothness smoothness(const NormalForm<Rational>& form,
                                     const JointSpectralRadiusBudget& budget = {});
+/// The same over the real algebraic numbers.
 [[nodiscard]] Smoothness smoothness(const NormalForm<Algebraic>& form,
                                     const JointSpectralRadiusBudget& budget = {});
+/// The same for symbols known as intervals: encloses the answers for all symbols in them.
 [[nodiscard]] Smoothness smoothness(const NormalForm<Interval>& form,
                                     const JointSpectralRadiusBudget& budget = {});
 

@@ -12,7 +12,7 @@ namespace subdiv {
 /// side norm_k >= 1 is proved, if the status is closed. out_of_depth: proved up to the end of the search.
 /// out_of_precision: the end lies in the enclosure or beyond.
 struct RangeEnd {
-  Enclosure value;
+  Enclosure value;  ///< of the end
   /// norm_k < 1 is proved right up to the end itself, where norm_k >= 1: the interval is open there.
   bool sharp = false;
 };
@@ -20,20 +20,21 @@ struct RangeEnd {
 /// The largest interval around an interior point on which norm_k(s) < 1: proved for every s strictly between
 /// the ends (between their enclosures where an end is not sharp).
 struct NormRange {
-  int power = 0;  // k
-  RangeEnd lower;
-  RangeEnd upper;
+  int power = 0;   ///< k
+  RangeEnd lower;  ///< the left end
+  RangeEnd upper;  ///< the right end
 
   /// norm_k < 1 is proved at s.
   [[nodiscard]] bool contains(const Rational& s) const;
 };
 
+/// Where the intervals are looked for, and how closely.
 struct NormRangeOptions {
-  Rational interior;  // where the intervals are looked for
+  Rational interior;  ///< where the intervals are looked for
   /// Where the ends are looked for.
   Rational search_lower = Rational(-64);
   Rational search_upper = Rational(64);
-  int max_power = 20;
+  int max_power = 20;  ///< k, the number of steps taken together, is at most this
   /// Width of an end's enclosure; a sharp end is enclosed much closer.
   Rational tolerance = Rational(1, 1'000'000'000);
 };

@@ -22,10 +22,10 @@ struct JointSpectralRadius {
   /// exact when a polytope closed at the radius of a word that has a closed form; certified otherwise. The
   /// status is closed when the bounds are those of one word, else which budget ran out.
   Enclosure value;
-  std::optional<Algebraic> exact;
+  std::optional<Algebraic> exact;  ///< the closed form, when there is one
   /// The words found with the largest radius; when `attained`, theirs is the joint spectral radius.
   std::vector<Word> words;
-  bool attained = false;
+  bool attained = false;  ///< whether the words above attain it
   /// Whether |T_w| <= C rho^length for all words w, for some C.
   Decision bounded = Decision::undecided;
   /// Vertices, up to sign, of the polytopes behind the upper bound.
@@ -34,10 +34,11 @@ struct JointSpectralRadius {
   std::vector<int> blocks;
 };
 
+/// Where the computation gives up and hands over the enclosure reached.
 struct JointSpectralRadiusBudget {
-  double seconds = 30;
-  std::size_t vertices = 1200;  // of one polytope
-  long precision = 192;         // bits of the ball arithmetic
+  double seconds = 30;          ///< of wall-clock time
+  std::size_t vertices = 1200;  ///< of one polytope
+  long precision = 192;         ///< bits of the ball arithmetic
 };
 
 /// Certified bounds: from below by the spectral radii of products, from above by polytopes P with T_i P in c
@@ -47,8 +48,10 @@ struct JointSpectralRadiusBudget {
 /// of one size and finite.
 [[nodiscard]] JointSpectralRadius joint_spectral_radius(const std::vector<Matrix<Rational>>& family,
                                                         const JointSpectralRadiusBudget& budget = {});
+/// The same for intervals: the answer encloses those of all families in them.
 [[nodiscard]] JointSpectralRadius joint_spectral_radius(const std::vector<Matrix<Interval>>& family,
                                                         const JointSpectralRadiusBudget& budget = {});
+/// The same over the real algebraic numbers.
 [[nodiscard]] JointSpectralRadius joint_spectral_radius(const std::vector<Matrix<Algebraic>>& family,
                                                         const JointSpectralRadiusBudget& budget = {});
 

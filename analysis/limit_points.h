@@ -14,8 +14,8 @@ namespace subdiv {
 /// level at hand: i / m^level). Tangents are d/dt at unit spacing of the control points of level 0.
 template <class Point>
 struct LimitPoints {
-  std::vector<Point> positions;
-  std::vector<Point> tangents;
+  std::vector<Point> positions;  ///< one for each vertex
+  std::vector<Point> tangents;   ///< in the same order
 };
 
 /// A mask applied at vertex i of a polygon: the sum of mask_j P_{i+j}; indices of a closed polygon go round.

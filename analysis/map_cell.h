@@ -14,16 +14,17 @@ namespace subdiv {
 /// A box of parameters, and whether the joint spectral radius is proved to be below 1 for all (yes) or for
 /// none (no) of them.
 struct MapCell {
-  ParameterBox box;
-  Decision below = Decision::undecided;
-  std::size_t vertices = 0;  // yes: of the polytope that all matrices of the cell map into itself
-  Word word;                 // no: its product has a spectral radius of at least 1 everywhere in the cell
+  ParameterBox box;                      ///< of the parameters
+  Decision below = Decision::undecided;  ///< whether the radius is below 1
+  std::size_t vertices = 0;  ///< yes: of the polytope that all matrices of the cell map into itself
+  Word word;                 ///< no: its product has a spectral radius of at least 1 everywhere in the cell
 };
 
+/// What is tried on each cell.
 struct CellOptions {
-  std::size_t vertices = 120;  // of one polytope, up to sign
-  int longest_word = 4;        // of the words tried
-  double margin = 1e-4;        // polytopes contract by 1 - margin at least
+  std::size_t vertices = 120;  ///< of one polytope, up to sign
+  int longest_word = 4;        ///< of the words tried
+  double margin = 1e-4;        ///< polytopes contract by 1 - margin at least
 };
 
 /// Decides cells for one family T_0(x), T_1(x), .. whose entries are rational functions of x_0 .. x_{d-1},
@@ -41,6 +42,7 @@ class CellDecider {
   CellDecider(const std::vector<Matrix<RationalFunction>>& family, std::size_t dimension,
               const std::vector<ExpandingCondition>& conditions, const CellOptions& options);
 
+  /// Decides one cell; undecided where neither proof succeeds.
   [[nodiscard]] MapCell decide(const ParameterBox& box) const;
 
  private:

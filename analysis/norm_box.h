@@ -18,14 +18,14 @@ namespace subdiv {
 /// convex in t: it is largest at an end of the box. No class `left` levels below v passes |v| norm_left, so
 /// that few paths need be followed.
 struct NormBox {
-  int arity = 2;
-  std::size_t n = 1;
-  double radius = 0;
-  std::vector<double> value;  // A_e(center), e after e, row by row
-  std::vector<double> slope;  // its derivative
-  double defect_value = 0;
-  double defect_slope = 0;
-  std::vector<double> bounds{1.0};  // bounds[i] >= norm_i(s) for all s of the box
+  int arity = 2;                    ///< m
+  std::size_t n = 1;                ///< of entries of the vectors v
+  double radius = 0;                ///< half the width of the interval of s
+  std::vector<double> value;        ///< A_e(center), e after e, row by row
+  std::vector<double> slope;        ///< its derivative
+  double defect_value = 0;          ///< of a step, for each unit of |v0|
+  double defect_slope = 0;          ///< of a step, for each unit of |v1|
+  std::vector<double> bounds{1.0};  ///< bounds[i] >= norm_i(s) for all s of the box
 };
 
 /// The box lower <= s <= upper, finite doubles; bounds of no level yet.
@@ -37,9 +37,9 @@ void bound_norms(NormBox& box, int k);
 
 /// A class of level k, its norm and the norm's derivative with respect to s, as computed at the center.
 struct ClassValue {
-  ClassWord word;
-  double norm = 0;
-  double slope = 0;
+  ClassWord word;    ///< which residue class
+  double norm = 0;   ///< at the center
+  double slope = 0;  ///< of the norm with respect to s, at the center
 };
 
 /// A class whose bound on the box is the largest of level k, 1 <= k <= 64, up to a relative 1e-10. Here and

@@ -17,8 +17,8 @@ namespace subdiv {
 /// The demand: the mask, applied to added and given points, equals the target combination of P_0, P_1, ..
 template <class R>
 struct EndCondition {
-  Laurent<R> mask;
-  Laurent<R> target;
+  Laurent<R> mask;    ///< indices from minus the number of added points on
+  Laurent<R> target;  ///< weights of the given points P_0, P_1, ..
 };
 
 /// How many added points masks that start at a negative index reach: -first, at least 0.

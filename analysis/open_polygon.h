@@ -28,8 +28,8 @@ enum class OpenEnd { clamped, reflected };
 /// weight of P_{n-1-j}. Equal for schemes with symmetric masks.
 template <class R>
 struct EndWeights {
-  std::vector<Laurent<R>> start;
-  std::vector<Laurent<R>> finish;
+  std::vector<Laurent<R>> start;   ///< ahead of P_0
+  std::vector<Laurent<R>> finish;  ///< behind P_{n-1}
 
   friend bool operator==(const EndWeights&, const EndWeights&) = default;
 };

@@ -18,10 +18,10 @@ namespace subdiv {
 /// factor(p): the joint spectral radius of the family is at most factor(p), and products are bounded by
 /// powers of it, also products that take a different p for every matrix when P does not depend on p.
 struct ParametricPolytope {
-  std::vector<Matrix<RationalFunction>> matrices;      // n x n each
-  Matrix<RationalFunction> vertices;                   // n x N, one vertex a column
-  std::vector<Matrix<RationalFunction>> combinations;  // N x N each, one for each matrix
-  RationalFunction factor;
+  std::vector<Matrix<RationalFunction>> matrices;      ///< n x n each
+  Matrix<RationalFunction> vertices;                   ///< n x N, one vertex a column
+  std::vector<Matrix<RationalFunction>> combinations;  ///< N x N each, one for each matrix
+  RationalFunction factor;  ///< how much the polytope shrinks: below 1 in a proof of contraction
 };
 
 /// closed: sums <= factor, radius <= factor; interior: sums < factor, radius < factor.
@@ -49,8 +49,8 @@ enum class Containment { closed, interior };
 
 /// A polytope without a flaw on a range.
 struct PolytopeProof {
-  RealInterval range;
-  ParametricPolytope polytope;
+  RealInterval range;           ///< of p, where the polytope has no flaw
+  ParametricPolytope polytope;  ///< and its combinations
 };
 
 /// Proofs for ranges that cover the given one, made by bisection with proposed combinations; nothing when

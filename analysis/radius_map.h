@@ -8,15 +8,18 @@
 
 namespace subdiv {
 
+/// Where a joint spectral radius is below a bound, cell by cell.
 struct RadiusMap {
-  std::vector<MapCell> cells;  // they cover the box and overlap in their borders only
+  std::vector<MapCell> cells;  ///< they cover the box and overlap in their borders only
 
+  /// The volume of the cells with this decision.
   [[nodiscard]] Rational volume(Decision below) const;
 };
 
+/// Where the map gives up.
 struct RadiusMapOptions {
-  int depth = 7;  // cells are halved in all directions at most so often
-  CellOptions cell;
+  int depth = 7;     ///< cells are halved in all directions at most so often
+  CellOptions cell;  ///< for each cell
 };
 
 /// Where the joint spectral radius of T_0(x), T_1(x), .. is below the bound > 0: a tree of cells, each

@@ -13,20 +13,22 @@ namespace subdiv {
 /// An interval of real numbers with exact ends; an absent end is infinite. A single point has both ends
 /// closed and equal.
 struct RealInterval {
-  std::optional<Algebraic> lower;
-  std::optional<Algebraic> upper;
-  bool lower_closed = false;
-  bool upper_closed = false;
+  std::optional<Algebraic> lower;  ///< absent: -infinity
+  std::optional<Algebraic> upper;  ///< absent: infinity
+  bool lower_closed = false;       ///< whether the lower end belongs to it
+  bool upper_closed = false;       ///< whether the upper end belongs to it
 
   [[nodiscard]] bool is_point() const { return lower && upper && *lower == *upper; }
+  /// Decided exactly.
   [[nodiscard]] bool contains(const Algebraic& x) const;
 };
 
 /// A set of real numbers: finitely many intervals, ascending, with gaps between them.
 struct RealSet {
-  std::vector<RealInterval> parts;
+  std::vector<RealInterval> parts;  ///< in ascending order
 
   [[nodiscard]] bool is_empty() const { return parts.empty(); }
+  /// Decided exactly.
   [[nodiscard]] bool contains(const Algebraic& x) const;
   /// "(-2, 6)", "[0, 1) u {3/2} u (5, inf)", "empty".
   [[nodiscard]] std::string to_string() const;

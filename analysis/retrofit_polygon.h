@@ -16,9 +16,9 @@ namespace subdiv {
 /// What the matrices L and I - L do to closed loops of n points: both are circulant, so that these numbers
 /// over the frequencies w = 2 pi k / n are their spectral radii and norms.
 struct LoopSpectrum {
-  Interval rate;      // the largest |1 - L(e^{iw})|: errors shrink by it a step
-  Interval smallest;  // the least |L(e^{iw})|: 0 where the direct system is singular
-  Interval largest;   // the largest |L(e^{iw})|
+  Interval rate;      ///< the largest |1 - L(e^{iw})|: errors shrink by it a step
+  Interval smallest;  ///< the least |L(e^{iw})|: 0 where the direct system is singular
+  Interval largest;   ///< the largest |L(e^{iw})|
 
   [[nodiscard]] bool converges() const { return certainly_less(rate, Interval(1)); }
   [[nodiscard]] bool solvable() const { return certainly_positive(smallest); }
@@ -27,16 +27,18 @@ struct LoopSpectrum {
 /// Throws std::domain_error for n = 0.
 [[nodiscard]] LoopSpectrum loop_spectrum(const Laurent<Interval>& limit_mask, std::size_t n);
 
+/// When the iteration is content, and when it gives up.
 struct RetrofitOptions {
-  double tolerance = 1e-9;  // of the largest distance |*P_j - C_j|
-  long max_iterations = 1000000;
+  double tolerance = 1e-9;        ///< of the largest distance |*P_j - C_j|
+  long max_iterations = 1000000;  ///< at most so many are taken
 };
 
+/// The polygon whose limit passes through the given points.
 struct Retrofit {
-  Polyline polygon;     // P
-  long iterations = 0;  // 0 for the direct solution
-  double residual = 0;  // the largest |*P_j - C_j|, j over all points
-  LoopSpectrum spectrum;
+  Polyline polygon;       ///< P
+  long iterations = 0;    ///< 0 for the direct solution
+  double residual = 0;    ///< the largest |*P_j - C_j|, j over all points
+  LoopSpectrum spectrum;  ///< of the limit mask, for this number of points
 };
 
 /// The papers' iteration P <- P + (C - L P) from P = C until the residual is at most the tolerance; 0

@@ -12,26 +12,29 @@ namespace subdiv {
 
 /// The open set of the points (x_0, x_1) inside a box where some polynomials are positive.
 struct PlaneDomain {
-  ParameterBox box;
-  std::vector<Polynomial> positive;
+  ParameterBox box;                  ///< in which the domain lies
+  std::vector<Polynomial> positive;  ///< polynomials that are positive throughout
 
+  /// Whether the point is inside the box and all polynomials are positive there.
   [[nodiscard]] bool contains(const Rational& x0, const Rational& x1) const;
 };
 
 /// What is known of a function's sign on such a domain.
 struct DomainSign {
+  /// The cases.
   enum class Kind {
-    positive,  // at every point of the domain, and finite
+    positive,  ///< at every point of the domain, and finite
     negative,
-    not_strict,  // 0, or no value, at some point of the domain, or both signs
+    not_strict,  ///< 0, or no value, at some point of the domain, or both signs
     undecided
   };
-  Kind kind = Kind::undecided;
-  Status status = Status::closed;  // else why it is undecided
-  long cells = 0;                  // all that were looked at
+  Kind kind = Kind::undecided;     ///< which of them
+  Status status = Status::closed;  ///< else why it is undecided
+  long cells = 0;                  ///< all that were looked at
   /// not_strict: a point where the function is 0 or has no value, or two with opposite signs.
   std::vector<std::vector<Rational>> witnesses;
 };
+/// "positive", "negative", "not strict" or "undecided".
 [[nodiscard]] std::string to_string(DomainSign::Kind kind);
 
 /// Signs of functions of x_0, x_1 on a domain, proved in exact arithmetic: a polynomial is factored over Q;

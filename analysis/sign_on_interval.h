@@ -25,6 +25,7 @@ namespace subdiv {
 
 /// Intervals with rational ends.
 [[nodiscard]] RealInterval closed_interval(const Rational& lower, const Rational& upper);
+/// (lower, upper) without its ends.
 [[nodiscard]] RealInterval open_interval(const Rational& lower, const Rational& upper);
 
 }  // namespace subdiv

@@ -13,9 +13,9 @@ namespace subdiv {
 
 /// An orthographic view: x runs to the right and y up in the picture, depth towards the eye.
 struct View {
-  Eigen::Vector3d right;
-  Eigen::Vector3d up;
-  Eigen::Vector3d towards;
+  Eigen::Vector3d right;    ///< of unit length
+  Eigen::Vector3d up;       ///< of unit length
+  Eigen::Vector3d towards;  ///< of unit length, from the picture to the eye
 
   [[nodiscard]] Eigen::Vector2d project(const Eigen::Vector3d& p) const { return {right.dot(p), up.dot(p)}; }
   [[nodiscard]] double depth(const Eigen::Vector3d& p) const { return towards.dot(p); }
@@ -34,9 +34,9 @@ void append_quad(std::vector<PictureTriangle>& picture, const View& view, const 
 
 /// Areas of the sets of points that pictures cover.
 struct PictureAreas {
-  double first = 0;
-  double second = 0;
-  double difference = 0;  // covered by one of them alone
+  double first = 0;       ///< of the first picture
+  double second = 0;      ///< of the second one
+  double difference = 0;  ///< covered by one of them alone
 };
 
 /// Two pictures compared. Along each of `lines` horizontal lines, spread evenly over the height of both, the

@@ -16,6 +16,7 @@ namespace subdiv {
 /// Where coefficients are intervals that do not exclude further factors, rho(M) tells s only above 1/m.
 [[nodiscard]] Enclosure sobolev_exponent(const NormalForm<Rational>& form,
                                          const JointSpectralRadiusBudget& budget = {});
+/// The same for symbols known as intervals: encloses the exponents of all symbols in them.
 [[nodiscard]] Enclosure sobolev_exponent(const NormalForm<Interval>& form,
                                          const JointSpectralRadiusBudget& budget = {});
 

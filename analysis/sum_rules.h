@@ -16,8 +16,8 @@ namespace subdiv {
 /// leaves cofactor / 2^order.
 template <class R>
 struct SumRules {
-  int order = 0;
-  Laurent<R> cofactor;
+  int order = 0;        ///< the number of sum rules
+  Laurent<R> cofactor;  ///< S(z) without the smoothing factors
 };
 
 /// The symbol must not be zero (std::domain_error).

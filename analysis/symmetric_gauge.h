@@ -10,9 +10,9 @@ namespace subdiv {
 /// x = sum over k of coefficient_k v_{basis_k}: a way to write a point by n vertices of conv(+-v_1, ..,
 /// +-v_N).
 struct Combination {
-  std::vector<int> basis;        // n different vertices
-  Eigen::VectorXd coefficients;  // one for each of them
-  double sum = 0;                // of the moduli; the gauge of x when the simplex method came to its end
+  std::vector<int> basis;        ///< n different vertices
+  Eigen::VectorXd coefficients;  ///< one for each of them
+  double sum = 0;                ///< of the moduli; the gauge of x when the simplex method came to its end
 };
 
 /// The gauge of the symmetric polytope conv(+-v_1, .., +-v_N) in R^n: min sum |c_k| over all V c = x, by the
@@ -22,6 +22,7 @@ class SymmetricGauge {
   /// One vertex a column; nothing when they do not span R^n (judged in floating point).
   static std::optional<SymmetricGauge> of(Eigen::MatrixXd vertices);
 
+  /// Adds v and -v.
   void add_vertex(const Eigen::VectorXd& v);
   [[nodiscard]] Eigen::Index dimension() const { return vertices_.rows(); }
   [[nodiscard]] int size() const { return static_cast<int>(vertices_.cols()); }

@@ -17,13 +17,13 @@ namespace subdiv {
 /// On each of five intervals of p one product of these matrices has the spectral radius rho^k, and a polytope
 /// proves that no product exceeds it.
 struct RadiusPiece {
-  RealInterval range;           // of p, closed
-  RationalFunction p;           // as a function of the piece's own parameter u = x_0
-  RealInterval parameters;      // of u, sent to the range monotonically
-  RationalFunction radius;      // rho as a function of u
-  Word word;                    // its product has the eigenvalue +-radius^|word|
-  ParametricPolytope polytope;  // shows that the radius is not larger
-  std::string shape;            // "hexagon", "diamond", "octagon"
+  RealInterval range;           ///< of p, closed
+  RationalFunction p;           ///< as a function of the piece's own parameter u = x_0
+  RealInterval parameters;      ///< of u, sent to the range monotonically
+  RationalFunction radius;      ///< rho as a function of u
+  Word word;                    ///< its product has the eigenvalue +-radius^|word|
+  ParametricPolytope polytope;  ///< shows that the radius is not larger
+  std::string shape;            ///< "hexagon", "diamond", "octagon"
 };
 
 /// The five pieces, ascending. Each is proved when this is called; std::logic_error should a proof fail.

@@ -23,10 +23,10 @@ namespace subdiv {
 /// exact ring the number of factors is maximal and b_0, b_N are not zero.
 template <class R>
 struct NormalForm {
-  int arity = 2;
-  int factors = 0;
-  int shift = 0;
-  Laurent<R> b;
+  int arity = 2;    ///< m
+  int factors = 0;  ///< n, of sigma(z)/m
+  int shift = 0;    ///< the lowest power of z
+  Laurent<R> b;     ///< b(z), indices 0 .. N
 
   [[nodiscard]] int degree() const { return b.size() - 1; }
 };
@@ -69,6 +69,7 @@ NormalForm<R> normal_form(int arity, int factors, const Laurent<R>& written) {
   return {arity, factors, lowest, std::move(b)};
 }
 
+/// The form of a mask over an exact ring; throws std::domain_error when coefficients do not add up to m.
 template <ExactRing R>
 NormalForm<R> normal_form(const Mask<R>& mask) {
   return normal_form(mask.arity, 0, mask.symbol);

@@ -15,6 +15,7 @@ namespace subdiv {
 /// Throws std::domain_error for d < 0.
 class UniformBspline {
  public:
+  /// B_d.
   explicit UniformBspline(int degree);
 
   [[nodiscard]] int degree() const { return degree_; }

@@ -12,7 +12,7 @@ namespace subdiv {
 struct UnstableCondition {
   /// 0: b has the roots z and -z for some z; odd m: b vanishes at -w for all primitive m-th roots of unity w.
   int order = 0;
-  std::vector<Polynomial> equations;  // all hold
+  std::vector<Polynomial> equations;  ///< all hold
 };
 
 /// Every way in which shifts can be unstable for real parameters: where none of the conditions holds, the

@@ -26,8 +26,8 @@ namespace subdiv {
 /// divided out again, and t(1) = 1. Both are those of the scheme itself when its shifts are independent.
 template <class R>
 struct IndependentForm {
-  NormalForm<R> form;
-  Laurent<R> t{1};
+  NormalForm<R> form;  ///< with c in place of b
+  Laurent<R> t{1};     ///< the factor t(z), t(1) = 1
   /// Whether the shifts of the scheme itself are linearly independent.
   Decision independent = Decision::undecided;
   /// Whether those of `form` are.

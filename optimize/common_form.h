@@ -9,11 +9,12 @@ namespace subdiv {
 /// The residuals over one denominator: r_i = +-p_k / q with distinct polynomials p_k. Residuals that vanish
 /// identically are left out; residuals that are equal or each other's negatives are kept once.
 struct CommonForm {
-  std::vector<Polynomial> numerators;
-  std::vector<int> weights;         // of each numerator: how many residuals it stands for
-  std::vector<int> representative;  // of each residual: its numerator, or -1 where the residual is 0
-  Polynomial denominator;           // positive at the box's centre
+  std::vector<Polynomial> numerators;  ///< p_k
+  std::vector<int> weights;            ///< of each numerator: how many residuals it stands for
+  std::vector<int> representative;     ///< of each residual: its numerator, or -1 where the residual is 0
+  Polynomial denominator;              ///< positive at the box's centre
 
+  /// p_k / q.
   [[nodiscard]] RationalFunction residual(int k) const {
     return RationalFunction(numerators[static_cast<std::size_t>(k)]) / RationalFunction(denominator);
   }
@@ -21,6 +22,7 @@ struct CommonForm {
   [[nodiscard]] std::vector<int> members(int k) const;
 };
 
+/// The form of a problem's residuals.
 [[nodiscard]] CommonForm common_form(const Problem& problem);
 
 /// The objective as such a form: l2: one numerator, the sum of squares, over q^2; l1: numerators times their

@@ -9,8 +9,8 @@ namespace subdiv {
 
 /// A function linearised on the unit cube: constant + slope . y, |y_j| <= 1.
 struct AffinePiece {
-  double constant = 0;
-  std::vector<double> slope;
+  double constant = 0;        ///< c_p
+  std::vector<double> slope;  ///< g_p
 };
 
 /// Weights w of residuals t_i(y) = constant_i + slope_i . y such that the affine function sum of w_i t_i +
@@ -24,10 +24,11 @@ struct AffinePiece {
 /// and the point y of the unit cube where the largest piece is least: both sides of one linear program, by
 /// the simplex method.
 struct LeastMaximum {
-  std::vector<double> weights;
-  std::vector<double> point;
-  double value = 0;
+  std::vector<double> weights;  ///< lambda_p
+  std::vector<double> point;    ///< y
+  double value = 0;             ///< the common value of both sides
 };
+/// Of at least one piece.
 [[nodiscard]] LeastMaximum least_maximum(std::span<const AffinePiece> pieces);
 
 }  // namespace subdiv

@@ -10,13 +10,14 @@ namespace subdiv {
 /// What became of the proof that the objective exceeds `level` everywhere on a box but in given
 /// neighbourhoods.
 struct Exclusion {
+  /// How the search ended.
   enum class Outcome {
     proved,
-    better_point,  // `point` has an objective certainly below the level
+    better_point,  ///< `point` has an objective certainly below the level
     out_of_boxes,
-  } outcome = Outcome::proved;
-  std::vector<Rational> point;
-  int boxes = 0;
+  } outcome = Outcome::proved;  ///< which of them
+  std::vector<Rational> point;  ///< of better_point; else empty
+  int boxes = 0;                ///< that were examined
 };
 
 /// Branch and bound for norm(p_1 .. p_k) / q > level (l1: sum of |p_i|; linf: maximum; one p_1 for l2), q > 0

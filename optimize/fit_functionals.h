@@ -13,10 +13,11 @@ namespace subdiv {
 /// The family phi_s of basis functions of *J_s beside a target B_d, as functions of s: e(s, t) = phi_s(t) -
 /// B_d(t), even in t.
 struct FitFamily {
-  BasisTables<RationalFunction> tables;
-  UniformBspline bspline;
-  long precision;
+  BasisTables<RationalFunction> tables;  ///< of phi_s over Q(s)
+  UniformBspline bspline;                ///< B_d
+  long precision;                        ///< of enclosures, in bits
 };
+/// The family for a target degree >= 0, with enclosures at a precision in bits.
 [[nodiscard]] FitFamily fit_family(int degree, long precision);
 
 /// A function G of s that never exceeds the objective F, the L1 or Linf norm of e(s, .), wherever it is
@@ -30,10 +31,10 @@ struct FitFamily {
 /// So a lower bound of G proves one of F, whatever the points are; they are chosen so that G touches F at one
 /// s.
 struct FitFunctional {
-  Norm norm = Norm::l1;
-  std::vector<Rational> points;  // dyadic, ascending; for l1 from 0 on
-  std::vector<int> signs;        // 1 or -1; for l1 one fewer than points
-  int repeats = 0;
+  Norm norm = Norm::l1;          ///< l1 or linf
+  std::vector<Rational> points;  ///< dyadic, ascending; for l1 from 0 on
+  std::vector<int> signs;        ///< 1 or -1; for l1 one fewer than points
+  int repeats = 0;               ///< of the geometric series; 0 for none
 };
 
 /// The Taylor coefficients G, G', G''/2, .. at s, N = 2 or 3 of them; over a ball s the last encloses its

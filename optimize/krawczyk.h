@@ -12,8 +12,8 @@ namespace subdiv {
 
 /// f: R^n -> R^n with its Jacobian (row i: gradient of f_i), both enclosed over boxes.
 struct SquareSystem {
-  std::function<Vector<Interval>(const Vector<Interval>&)> value;
-  std::function<Matrix<Interval>(const Vector<Interval>&)> jacobian;
+  std::function<Vector<Interval>(const Vector<Interval>&)> value;     ///< f over a box
+  std::function<Matrix<Interval>(const Vector<Interval>&)> jacobian;  ///< the Jacobian over a box
 };
 
 /// n rational functions of x_0 .. x_{n-1}, with exact derivatives, evaluated at this precision in bits.
@@ -28,8 +28,8 @@ struct SquareSystem {
 
 /// f has exactly one zero in `region`, and it lies in `enclosure`.
 struct IsolatedZero {
-  Vector<Interval> enclosure;
-  Vector<Interval> region;
+  Vector<Interval> enclosure;  ///< narrow
+  Vector<Interval> region;     ///< wide: no other zero in it
 };
 
 /// Newton's iteration from `near`, then Krawczyk's test on growing boxes about its end, then contraction as

@@ -6,18 +6,19 @@ namespace subdiv {
 
 /// Maximise c . x subject to b + A x >= 0 (one inequality a row), x free, over the rationals.
 struct LinearProgram {
-  Matrix<Rational> a;
-  Vector<Rational> b;
-  Vector<Rational> c;
+  Matrix<Rational> a;  ///< A, one inequality a row
+  Vector<Rational> b;  ///< one number a row
+  Vector<Rational> c;  ///< the objective
 };
 
 /// optimal: x attains the maximum and y proves it (y >= 0, A^T y = -c, b . y = c . x); infeasible: y >= 0
 /// with A^T y = 0 and b . y < 0; unbounded: no certificate is kept.
 struct LinearSolution {
-  enum class Status { optimal, infeasible, unbounded } status = Status::infeasible;
-  Vector<Rational> x;
-  Vector<Rational> y;
-  Rational value;
+  /// What was found.
+  enum class Status { optimal, infeasible, unbounded } status = Status::infeasible;  ///< which of them
+  Vector<Rational> x;  ///< the maximiser; empty unless optimal
+  Vector<Rational> y;  ///< the certificate; empty when unbounded
+  Rational value;      ///< the maximum
 };
 
 /// Solves in exact rational arithmetic (cddlib) and checks the certificate independently of the solver: a

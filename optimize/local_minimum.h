@@ -10,11 +10,11 @@ namespace subdiv {
 
 /// A minimum that is proved to be the only one in a neighbourhood.
 struct VerifiedMinimum {
-  CriticalPoint point;
-  Interval value;           // of the objective there; exactly 0 where all residuals vanish
-  std::vector<int> active;  // numerators of the objective's form
-  Box neighbourhood;
-  bool on_boundary = false;  // a parameter stands at an end of its range
+  CriticalPoint point;       ///< with its multipliers
+  Interval value;            ///< of the objective there; exactly 0 where all residuals vanish
+  std::vector<int> active;   ///< numerators of the objective's form
+  Box neighbourhood;         ///< in which it is the only one
+  bool on_boundary = false;  ///< a parameter stands at an end of its range
 };
 
 /// Tries the guesses of active residuals that the objective near a point suggests, the simplest first;

@@ -13,9 +13,10 @@ namespace subdiv {
 /// u_1, u_2, ..); or as a constraint u <= 0 of the box.
 enum class KinkKind { absolute, maximum, bound };
 
+/// A function that vanishes at the point, and how it enters.
 struct Kink {
-  RationalFunction function;
-  KinkKind kind = KinkKind::absolute;
+  RationalFunction function;           ///< u
+  KinkKind kind = KinkKind::absolute;  ///< as |u|, as a member of the maximum, or as a bound
 };
 
 /// A non-smooth function near a point x* where all u_i vanish:
@@ -24,23 +25,24 @@ struct Kink {
 /// A maximum of residuals is one of them plus the others' differences to it; a sum of absolute values is its
 /// smooth part plus the terms that vanish; a smooth function has no kinks.
 struct LocalModel {
-  RationalFunction base;
-  std::vector<Kink> kinks;
-  int variables = 0;
+  RationalFunction base;    ///< g
+  std::vector<Kink> kinks;  ///< the u_i
+  int variables = 0;        ///< n, the number of parameters
 };
 
 /// A point x* with multipliers m_i: u_i(x*) = 0, grad g + sum of m_i grad u_i = 0, and strictly |m_i| < 1
 /// (absolute), m_i > 0 and sum < 1 (maximum), m_i > 0 (bound). `region` encloses (x, m) and holds exactly one
 /// solution of the equations.
 struct CriticalPoint {
-  std::vector<Interval> x;
-  std::vector<Interval> multipliers;
-  Vector<Interval> region;
+  std::vector<Interval> x;            ///< the point
+  std::vector<Interval> multipliers;  ///< m_i, in the order of the kinks
+  Vector<Interval> region;            ///< around x and the multipliers
 };
 
 /// A model prepared for enclosures at one precision.
 class CompiledModel {
  public:
+  /// For enclosures at the precision in bits.
   CompiledModel(const LocalModel& model, long precision);
 
   /// The equations of a critical point in the unknowns (x, m).

@@ -10,8 +10,8 @@ namespace subdiv {
 
 /// A point where a local solver stopped. Approximate: a starting point for a proof, never one.
 struct LocalMinimum {
-  std::vector<double> x;
-  double objective = 0;
+  std::vector<double> x;  ///< a value for each parameter
+  double objective = 0;   ///< the norm there
 };
 
 /// Local minima from options.starts points spread over the box (a Halton sequence: deterministic), best

@@ -27,9 +27,10 @@ namespace subdiv {
 /// parameter all values that preserve it are exact algebraic numbers, all of them listed (Summary::zeros).
 /// polygon-distance is linf alone, and local.
 struct PolygonObjective {
+  /// One of the names above.
   enum class Kind { vertex_distance, edge_distance, polygon_distance, area, popping };
-  Kind kind = Kind::vertex_distance;
-  int level = 1;  // popping
+  Kind kind = Kind::vertex_distance;  ///< which of them
+  int level = 1;                      ///< popping
 };
 
 /// All of them, in the order of the enumeration.
@@ -39,6 +40,7 @@ struct PolygonObjective {
 [[nodiscard]] bool names_polygon_objective(std::string_view text);
 /// Throws InputError that lists the valid names, options or values.
 [[nodiscard]] PolygonObjective parse_polygon_objective(std::string_view text);
+/// As it is written on the command line.
 [[nodiscard]] std::string to_string(const PolygonObjective& objective);
 
 /// Minimises an objective over a box of parameters, one range a parameter in the order of the variables.

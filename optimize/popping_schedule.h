@@ -17,8 +17,8 @@ namespace subdiv {
 /// A level k >= 1 of the greedy schedule of J_s: s_k minimises over all real s the largest coefficient of
 /// popping_difference, P_k = S_{s_k}(z) P_{k-1}(z^2), P_0 = 1; disparity is that minimum.
 struct PoppingLevel {
-  Enclosure parameter;
-  Enclosure disparity;
+  Enclosure parameter;  ///< s_k
+  Enclosure disparity;  ///< the least largest coefficient
 };
 
 /// Levels 1 .. `levels`. Exact rationals as long as they are short (their digits double at each level),

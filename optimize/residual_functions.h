@@ -16,6 +16,7 @@ class CompiledFunction {
   /// (std::domain_error).
   CompiledFunction(const RationalFunction& f, int variables, long precision);
 
+  /// The value at a point, in floating point.
   [[nodiscard]] double evaluate(std::span<const double> x) const;
   /// The range over a box, outward-rounded; not finite where the denominator may vanish.
   [[nodiscard]] Interval evaluate(std::span<const Interval> x) const;
@@ -39,15 +40,18 @@ class CompiledFunction {
 
 /// A residual with its gradient.
 struct CompiledResidual {
-  CompiledFunction value;
-  std::vector<CompiledFunction> gradient;
+  CompiledFunction value;                  ///< the residual
+  std::vector<CompiledFunction> gradient;  ///< its partial derivatives
 };
 
+/// Of one residual in x_0 .. x_{variables-1}; enclosures are at the precision in bits.
 [[nodiscard]] CompiledResidual compile(const RationalFunction& residual, int variables, long precision);
+/// Of all residuals of a problem.
 [[nodiscard]] std::vector<CompiledResidual> compile(const Problem& problem, long precision);
 
 /// The norm's objective from residual values: max |r_i|, sum of |r_i|, or sum of squares.
 [[nodiscard]] double objective(Norm norm, std::span<const double> residuals);
+/// The norm of values known as intervals: an enclosure.
 [[nodiscard]] Interval objective(Norm norm, std::span<const Interval> residuals);
 
 }  // namespace subdiv

@@ -9,6 +9,7 @@ namespace subdiv {
 
 /// What objectives ask of a scheme. All throw InputError "objective NAME and scheme TEXT: what is missing".
 
+/// Throws the error: the scheme has not what the objective asks for.
 [[noreturn]] void lacks(const std::string& objective, const Scheme<RationalFunction>& scheme,
                         const std::string& what);
 

@@ -21,6 +21,7 @@ class TaylorForm {
   [[nodiscard]] TaylorForm shifted(std::span<const Interval> offset) const;
   /// Of p(c + r y) in y: the box |x_j - c_j| <= r_j becomes the unit cube.
   [[nodiscard]] TaylorForm scaled(std::span<const Interval> radius) const;
+  /// The derivative with respect to x_variable, about the same point.
   [[nodiscard]] TaylorForm derivative(int variable) const;
   /// Encloses p over |x_j - c_j| <= r_j.
   [[nodiscard]] Interval range(std::span<const Interval> radius) const;
@@ -37,7 +38,7 @@ class TaylorForm {
   /// by coefficient.
   [[nodiscard]] TaylorForm padded(const std::vector<std::size_t>& extents) const;
 
-  TaylorForm& operator+=(const TaylorForm& o);  // equal extents
+  TaylorForm& operator+=(const TaylorForm& o);  ///< equal extents
   TaylorForm& operator*=(const Interval& factor);
 
   /// A lower bound of the scaled form over the unit cube: t_0 minus what the other terms can take away (an
@@ -58,14 +59,15 @@ class TaylorForm {
 
 /// Value, gradient and Hessian of a function, enclosed over a box.
 struct SecondOrder {
-  Interval value;
-  Vector<Interval> gradient;
-  Matrix<Interval> hessian;
+  Interval value;             ///< f
+  Vector<Interval> gradient;  ///< the partial derivatives
+  Matrix<Interval> hessian;   ///< the second ones
 };
 
 /// A rational function p/q prepared for SecondOrder enclosures.
 class TaylorFunction {
  public:
+  /// p/q in x_0 .. x_{variables-1}; enclosures are at the precision in bits.
   TaylorFunction(const Polynomial& numerator, const Polynomial& denominator, int variables, long precision);
   TaylorFunction(const RationalFunction& f, int variables, long precision)
       : TaylorFunction(f.numerator(), f.denominator(), variables, precision) {}
@@ -81,6 +83,7 @@ class TaylorFunction {
 
 /// The box's centre, and its radii as balls without radius (rounded up).
 [[nodiscard]] std::vector<Interval> centre_of(std::span<const Interval> box);
+/// Half the widths of the sides.
 [[nodiscard]] std::vector<Interval> radius_of(std::span<const Interval> box);
 
 }  // namespace subdiv

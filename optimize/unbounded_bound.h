@@ -18,11 +18,12 @@ namespace subdiv {
 /// T^d, T = max(1, |y_j|): a linear Nullstellensatz certificate, guessed in approximate and checked in ball
 /// arithmetic (Macaulay's matrix).
 struct UnboundedProblem {
-  std::vector<Polynomial> functions;
-  int unknowns = 2;
-  int multiplier_degree = 2;  // d
+  std::vector<Polynomial> functions;  ///< f_i
+  int unknowns = 2;                   ///< n
+  int multiplier_degree = 2;          ///< d
 };
 
+/// The certificate's matrix, ready for many intervals of s.
 class UnboundedBound {
  public:
   /// Precision in bits.
@@ -60,9 +61,10 @@ class UnboundedBound {
 /// Is max|f_i(y, s)| > level q(s) for all real y and all s in the interval, q > 0 there? By bisection on at
 /// most max_intervals intervals, which are counted.
 struct UnboundedAnswer {
-  bool proved = false;
-  int intervals = 0;
+  bool proved = false;  ///< whether the answer is yes
+  int intervals = 0;    ///< that were examined
 };
+/// The question for one polynomial q in x_parameter.
 [[nodiscard]] UnboundedAnswer exceeds(const UnboundedBound& bound, const Polynomial& q, int parameter,
                                       const Rational& level, const Rational& lower, const Rational& upper,
                                       int max_intervals);

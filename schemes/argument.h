@@ -10,8 +10,8 @@ namespace subdiv {
 
 /// A parameter with the value given to it, unevaluated.
 struct Argument {
-  std::string name;
-  Expression value;
+  std::string name;  ///< of the parameter
+  Expression value;  ///< as written
 };
 
 /// The pieces between separators that stand outside parentheses and are no sign of a decimal's exponent,

@@ -13,13 +13,13 @@ namespace subdiv {
 
 /// A parameter of a family: a real number, or a whole one from a range.
 struct Parameter {
-  std::string name;
-  std::string meaning;
-  std::string default_value;  // an expression; empty when a value must be given
-  bool whole = false;
-  long least = 0;  // of a whole parameter
-  long greatest = std::numeric_limits<long>::max();
-  long step = 1;  // whole values are least, least + step, ..
+  std::string name;                                  ///< as it is written
+  std::string meaning;                               ///< in a few words
+  std::string default_value;                         ///< an expression; empty when a value must be given
+  bool whole = false;                                ///< else real
+  long least = 0;                                    ///< of a whole parameter
+  long greatest = std::numeric_limits<long>::max();  ///< of a whole parameter
+  long step = 1;                                     ///< whole values are least, least + step, ..
 
   [[nodiscard]] bool is_required() const { return default_value.empty(); }
   /// "a whole number from 0 to 200", "an even number from 2 to 64", "a real number".
@@ -30,17 +30,17 @@ struct Parameter {
 /// parameters, x_0 for the first of them, x_1 for the second; whole parameters are passed by value, in the
 /// order of `parameters`.
 struct FamilyForm {
-  std::vector<Parameter> parameters;
-  Mask<Polynomial> (*mask)(std::span<const long> whole);
+  std::vector<Parameter> parameters;                      ///< in the order in which they are listed
+  Mask<Polynomial> (*mask)(std::span<const long> whole);  ///< the mask at whole values
 };
 
 /// A named family of schemes.
 struct Family {
-  std::string name;
-  std::vector<std::string> aliases;
-  std::string summary;  // one line
-  std::string source;
-  std::vector<FamilyForm> forms;
+  std::string name;                  ///< as it is written
+  std::vector<std::string> aliases;  ///< other names for the same
+  std::string summary;               ///< one line
+  std::string source;                ///< who introduced it
+  std::vector<FamilyForm> forms;     ///< ways to give the parameters
 };
 
 /// Every family, in the order in which they are listed.

@@ -24,11 +24,13 @@ class OutsideRingError : public InputError {
 
 /// A parsed exact expression, an immutable value:
 ///
-///     sum     = product { (+|-) product }          number = digits, decimals with optional exponent: 2,
-///     0.46415, 1e-3 product = signed { (*|/) signed }            name   = a letter, then letters, digits and
-///     _ signed  = { +|- } power                      p/q is a quotient; -z^2 is -(z^2) power   = atom [ ^
-///     integer ]                 the integer may have a sign and stand in parentheses atom    = number | name
-///     | sqrt ( sum ) | ( sum )
+///     sum     = product { (+|-) product }
+///     product = signed { (*|/) signed }           p/q is a quotient
+///     signed  = { +|- } power                     -z^2 is -(z^2)
+///     power   = atom [ ^ integer ]                the integer may have a sign and stand in parentheses
+///     atom    = number | name | sqrt ( sum ) | ( sum )
+///     number  = digits, or a decimal with an optional exponent: 2, 0.46415, 1e-3
+///     name    = a letter, then letters, digits and _
 ///
 /// Decimals mean their exact value. Nothing is evaluated when parsing, so division by zero is found later.
 /// Depth, powers and size are limited, so that no text can exhaust the stack or the memory.
@@ -37,26 +39,28 @@ class Expression {
   /// Throws InputError with the column, what was found and what was expected.
   static Expression parse(std::string_view text);
 
+  /// What a node is: a number, a name, or an operation on its operands.
   enum class Kind { number, name, negate, add, subtract, multiply, divide, power, square_root };
   /// Operands stand before their operator: node k's operands are nodes of smaller index, and the nodes of the
   /// subexpression with root k are first .. k.
   struct Node {
-    Kind kind;
-    std::size_t begin = 0;  // the node's source text, positions [begin, end), with its parentheses
-    std::size_t end = 0;
-    std::size_t position = 0;  // where an error in this node is shown: the operator
-    std::size_t first = 0;
-    std::size_t left = 0;   // operand (the only one of negate, power, square_root)
-    std::size_t right = 0;  // second operand
-    long exponent = 0;
-    std::string name{};
-    Rational value{};      // of a number
-    Rational half_unit{};  // half a unit of a decimal's last digit; 0 for integers
+    Kind kind;                 ///< what it is
+    std::size_t begin = 0;     ///< the node's source text, positions [begin, end), with its parentheses
+    std::size_t end = 0;       ///< one behind the last position
+    std::size_t position = 0;  ///< where an error in this node is shown: the operator
+    std::size_t first = 0;     ///< the smallest index in the subexpression
+    std::size_t left = 0;      ///< operand (the only one of negate, power, square_root)
+    std::size_t right = 0;     ///< second operand
+    long exponent = 0;         ///< of a power
+    std::string name{};        ///< of a name
+    Rational value{};          ///< of a number
+    Rational half_unit{};      ///< half a unit of a decimal's last digit; 0 for integers
   };
 
   [[nodiscard]] const std::string& text() const { return text_; }
   [[nodiscard]] const std::vector<Node>& nodes() const { return nodes_; }
   [[nodiscard]] std::size_t root() const { return nodes_.size() - 1; }
+  /// The node's source text.
   [[nodiscard]] std::string_view source(const Node& node) const {
     return std::string_view(text_).substr(node.begin, node.end - node.begin);
   }
@@ -81,15 +85,15 @@ class Expression {
 /// Numbers as their exact values.
 template <class R>
 struct ExactLiteral {
-  static constexpr bool decimals_are_exact = true;
+  static constexpr bool decimals_are_exact = true;  ///< decimals mean their exact value
   R operator()(const Rational& value, const Rational& /*half_unit*/) const { return from_rational<R>(value); }
 };
 
 /// Numbers as intervals at a precision in bits; decimals that are not exact are known to half_unit on both
 /// sides.
 struct IntervalLiteral {
-  long precision = Interval::default_precision;
-  bool decimals_are_exact = true;
+  long precision = Interval::default_precision;  ///< in bits
+  bool decimals_are_exact = true;                ///< whether decimals mean their exact value
   Interval operator()(const Rational& value, const Rational& half_unit) const {
     if (decimals_are_exact || half_unit.sign() == 0) return Interval(value, precision);
     return Interval::hull(value - half_unit, value + half_unit, precision);

@@ -12,9 +12,9 @@ namespace subdiv {
 /// laurent_limit is the limit for Laurent polynomials over R. All limits are a second or so.
 template <class R>
 struct ExpressionCost {
-  static constexpr bool sums_are_products = false;
-  static constexpr long limit = 1'000'000;
-  static constexpr long laurent_limit = 300'000;
+  static constexpr bool sums_are_products = false;  ///< whether a sum costs as much as a product
+  static constexpr long limit = 1'000'000;          ///< of one operation over R
+  static constexpr long laurent_limit = 300'000;    ///< of one operation on Laurent polynomials over R
   static long size(const R& /*x*/) { return 1; }
 };
 
@@ -70,6 +70,7 @@ struct ExpressionCost<Laurent<R>> {
   }
 };
 
+/// What a product would cost.
 template <class R>
 long product_cost(const R& a, const R& b) {
   return ExpressionCost<R>::size(a) * ExpressionCost<R>::size(b);
@@ -83,6 +84,7 @@ long product_cost(const Laurent<R>& a, const Laurent<R>& b) {
   return too_dear ? Cost::limit + 1 : Cost::size(a) * Cost::size(b);
 }
 
+/// What a sum would cost.
 template <class R>
 long sum_cost(const R& a, const R& b) {
   using Cost = ExpressionCost<R>;
@@ -106,6 +108,7 @@ long sum_cost(const Laurent<R>& a, const Laurent<R>& b) {
 template <class R>
 class CostMeter {
  public:
+  /// Adds the cost of an operation that is about to be done; throws OutsideRing beyond the limits.
   void charge(long cost) {
     constexpr long operations_in_all = 20;
     constexpr long limit = ExpressionCost<R>::limit;
@@ -119,6 +122,7 @@ class CostMeter {
   long total_ = 0;
 };
 
+/// a b, charged first.
 template <class R>
 R metered_product(const R& a, const R& b, CostMeter<R>& meter) {
   meter.charge(product_cost(a, b));

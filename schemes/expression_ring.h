@@ -26,10 +26,12 @@ class OutsideRing : public std::domain_error {
 /// hold it.
 template <class R>
 struct ExpressionRing {
+  /// a / b; throws std::domain_error for b = 0.
   static R quotient(const R& a, const R& b) {
     if (is_zero(b)) throw std::domain_error("division by zero");
     return a / b;
   }
+  /// The square root; throws std::domain_error for a negative number.
   static R square_root(const R& x) {
     using std::sqrt;
     if (x < R(0)) throw std::domain_error("square root of a negative number");

@@ -39,10 +39,12 @@ Scheme<R> instantiate(const SchemeDescription& scheme, std::span<const R> free_v
 /// rational functions of the free parameters; none, when roots meet free parameters or numbers of too high a
 /// degree: then only inexact rings do.
 enum class Field { rational, algebraic, rational_function, inexact };
+/// The field for the scheme's coefficients, its free parameters included.
 [[nodiscard]] Field smallest_field(const SchemeDescription& scheme);
 
 /// The masks over the smallest exact ring that holds them. InputError when none does.
 using ExactScheme = std::variant<Scheme<Rational>, Scheme<Algebraic>, Scheme<RationalFunction>>;
+/// The scheme over that field.
 [[nodiscard]] ExactScheme exact_scheme(const SchemeDescription& scheme);
 
 namespace detail {

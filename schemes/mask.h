@@ -17,8 +17,8 @@ namespace subdiv {
 /// vertex rule at a_0.
 template <class R>
 struct Mask {
-  int arity = 2;
-  Laurent<R> symbol;
+  int arity = 2;      ///< m
+  Laurent<R> symbol;  ///< a(z)
 
   friend bool operator==(const Mask&, const Mask&) = default;
 };
@@ -27,8 +27,8 @@ struct Mask {
 /// scheme; several make a mixed ({J_r, *J_s}) or non-stationary one. All steps have the same arity.
 template <class R>
 struct Scheme {
-  std::string name;
-  std::vector<Mask<R>> steps;
+  std::string name;            ///< for messages and titles
+  std::vector<Mask<R>> steps;  ///< at least one
 
   [[nodiscard]] bool is_stationary() const { return steps.size() == 1; }
   [[nodiscard]] int arity() const { return steps.front().arity; }
@@ -38,6 +38,7 @@ struct Scheme {
   [[nodiscard]] const Mask<R>& last() const { return steps.back(); }
 };
 
+/// A scheme of one mask.
 template <class R>
 Scheme<R> stationary(std::string name, Mask<R> mask) {
   return {std::move(name), {std::move(mask)}};
@@ -79,6 +80,7 @@ auto map_coefficients(const Mask<R>& mask, Map map) {
   return Mask<S>{mask.arity, map_coefficients(mask.symbol, map)};
 }
 
+/// The same scheme over another ring: the map is applied to each coefficient.
 template <class R, class Map>
 auto map_coefficients(const Scheme<R>& scheme, Map map) {
   using S = decltype(map(scheme.steps[0].symbol[0]));

@@ -16,35 +16,37 @@ namespace subdiv {
 ///     name        a string
 ///     arity       2 or 3
 ///     parameters  optional: names with default values, for example { "w": "1/16" }
-///     mask        { "first": i, "coefficients": [..] }: the coefficients of z^i, z^(i+1), ..; the refined
-///     point i of a
-///                 unit impulse takes coefficient i
+///     mask        { "first": i, "coefficients": [..] }: the coefficients of z^i, z^(i+1), ..;
+///                 the refined point i of a unit impulse takes coefficient i
 ///     symbol      instead of mask: an expression in z and the parameters
 ///     source      optional: where the scheme comes from
 ///
 /// Values are strings that hold exact expressions, or JSON numbers, which are taken as the exact decimals
 /// they show.
 struct SchemeFile {
+  /// A number or an expression, with its place.
   struct Value {
-    Expression expression;
-    int line;
+    Expression expression;  ///< unevaluated
+    int line;               ///< of the file, from 1
   };
+  /// A declared parameter.
   struct Parameter {
-    std::string name;
-    Value default_value;
+    std::string name;     ///< as it is written
+    Value default_value;  ///< a number
   };
 
-  std::string path;
-  std::string name;
-  std::string source;
-  int arity = 2;
-  std::vector<Parameter> parameters;
-  int first = 0;                    // power of z of the first coefficient
-  std::vector<Value> coefficients;  // empty when the file gives a symbol
-  std::optional<Value> symbol;
+  std::string path;                   ///< of the file, for messages
+  std::string name;                   ///< of the scheme
+  std::string source;                 ///< where it comes from; may be empty
+  int arity = 2;                      ///< m
+  std::vector<Parameter> parameters;  ///< in the order of the file
+  int first = 0;                      ///< power of z of the first coefficient
+  std::vector<Value> coefficients;    ///< empty when the file gives a symbol
+  std::optional<Value> symbol;        ///< in z and the parameters; none when the file gives a mask
 
   /// "FILE:4: coefficient 3 (of z^-1)" and "FILE:4: symbol", for messages.
   [[nodiscard]] std::string coefficient_place(std::size_t i) const;
+  /// "FILE:4: symbol".
   [[nodiscard]] std::string symbol_place() const;
   /// Whether a decimal occurs in the mask or symbol.
   [[nodiscard]] bool has_decimals() const;

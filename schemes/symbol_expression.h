@@ -20,8 +20,8 @@ inline constexpr std::string_view symbol_name = "z";
 /// The values of names: over R and, for those that are rational numbers, exactly.
 template <class R>
 struct Bindings {
-  std::map<std::string, R, std::less<>> values;
-  std::map<std::string, Rational, std::less<>> rational;
+  std::map<std::string, R, std::less<>> values;           ///< of all names, over R
+  std::map<std::string, Rational, std::less<>> rational;  ///< of those that are rational
 };
 
 /// A symbol with its smoothing factors split off: a(z) = (1 + z + .. + z^(m-1))^smoothing_factors
@@ -30,9 +30,10 @@ struct Bindings {
 /// certain, and the cofactor may hide more.
 template <class R>
 struct FactoredSymbol {
-  int smoothing_factors = 0;
-  Laurent<R> cofactor;
+  int smoothing_factors = 0;  ///< how many are split off
+  Laurent<R> cofactor;        ///< the rest
 
+  /// The product, for the arity m.
   [[nodiscard]] Laurent<R> expanded(int arity) const {
     return pow(smoothing_factor<R>(arity), smoothing_factors) * cofactor;
   }
@@ -41,12 +42,13 @@ struct FactoredSymbol {
 /// A factor of an expression's top-level product: the subexpression with this root, to a power that is
 /// negative for divisors.
 struct WrittenFactor {
-  std::size_t root;
-  long power;
+  std::size_t root;  ///< of the subexpression, a node's index
+  long power;        ///< negative for divisors
 };
+/// An expression's top-level product.
 struct WrittenProduct {
-  int sign = 1;
-  std::vector<WrittenFactor> factors;
+  int sign = 1;                        ///< 1 or -1
+  std::vector<WrittenFactor> factors;  ///< from left to right
 };
 /// The expression as the product in which it is written: products, quotients, whole powers and signs are
 /// taken apart.

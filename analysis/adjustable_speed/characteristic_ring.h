@@ -25,15 +25,16 @@ namespace subdiv {
 /// turns by 2 pi/n are rational too.
 template <class R>
 struct RingShape {
-  R sigma;
-  R v;
+  R sigma;  ///< the speed, 0 < sigma < 1
+  R v;      ///< the larger eigenvalue is q (q + sigma v)
 
-  [[nodiscard]] R rest() const { return R(1) - sigma; }  // q
+  [[nodiscard]] R rest() const { return R(1) - sigma; }  ///< q
   [[nodiscard]] R width() const { return rest() + sigma * v; }
   [[nodiscard]] R eigenvalue() const { return rest() * width(); }
   [[nodiscard]] R one_plus_cosine() const { return v * v / width(); }
 };
 
+/// A point of the plane: x/cos(pi/n), y/sin(pi/n) in the frame of sector 0.
 template <class R>
 using RingPoint = std::array<R, 2>;
 
@@ -47,6 +48,7 @@ using RingPoint = std::array<R, 2>;
 template <class R>
 class CharacteristicSpeedNet {
  public:
+  /// The points of one sector; those of the others are turned copies.
   explicit CharacteristicSpeedNet(const RingShape<R>& shape) : cosine_(shape.one_plus_cosine()) {
     const R& s = shape.sigma;
     const R& v = shape.v;
@@ -105,9 +107,10 @@ class CharacteristicSpeedNet {
 /// border is lambda times the border. The patches at the two spokes are mirror images of each other.
 template <class R>
 struct CharacteristicRing {
-  BezierPatch<RingPoint<R>> border;  // all but (3, 3)
-  RingSector<RingPoint<R>> sector;
+  BezierPatch<RingPoint<R>> border;  ///< all but (3, 3)
+  RingSector<RingPoint<R>> sector;   ///< the patches of sector 0
 };
+/// The ring of a shape, from the points of its eigenvector.
 template <class R>
 CharacteristicRing<R> characteristic_ring(const RingShape<R>& shape) {
   CharacteristicRing<R> result;

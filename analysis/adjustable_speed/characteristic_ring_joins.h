@@ -13,8 +13,8 @@ namespace subdiv {
 /// over [0, sigma] x [sigma, 1] and its mirror image, and lambda times the border over [sigma, 1]^2.
 template <class R>
 struct RingJoin {
-  std::string name;
-  RingPoint<R> difference;
+  std::string name;         ///< which derivative across which border
+  RingPoint<R> difference;  ///< 0 where the patches join
 };
 
 namespace detail {
@@ -45,6 +45,7 @@ RingPoint<R> reflected(const RingPoint<R>& p, const R& one_plus_cosine) {
   return {cosine * p[0] - (R(2) - one_plus_cosine) * p[1], R(0) - one_plus_cosine * p[0] - cosine * p[1]};
 }
 
+/// The differences across all borders of sector 0: value, first and second derivative.
 template <class R>
 std::vector<RingJoin<R>> ring_joins(const CharacteristicRing<R>& ring, const RingShape<R>& shape) {
   std::vector<RingJoin<R>> result;

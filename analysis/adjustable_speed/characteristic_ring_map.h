@@ -23,8 +23,8 @@ RingShape<Interval> ring_shape(const Interval& sigma, int valence);
 
 /// What is proved of ring_conditions for all speeds in an interval.
 struct RingRange {
-  Decision hold = Decision::undecided;  // yes, or undecided
-  int cells = 0;                        // intervals of sigma that were looked at
+  Decision hold = Decision::undecided;  ///< yes, or undecided
+  int cells = 0;                        ///< intervals of sigma that were looked at
 };
 /// Outward-rounded Taylor expansions in sigma on parts of the interval, halved where they say too little, at
 /// most `cells` of them. An interval that reaches 0 or 1 stays undecided. valence >= 3
@@ -33,6 +33,7 @@ struct RingRange {
 
 /// Conditions as functions of sigma, expanded about an interval: the last coefficient is the remainder's.
 inline constexpr std::size_t ring_order = 4;
+/// The conditions of one ring, each as a Taylor expansion in sigma.
 using RingExpansion = std::vector<RingCondition<Taylor<Interval, ring_order + 1>>>;
 /// Those of the ring of a valence.
 [[nodiscard]] RingExpansion ring_expansion(const Interval& sigma, int valence);

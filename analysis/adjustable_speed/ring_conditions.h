@@ -29,9 +29,9 @@ namespace subdiv {
 /// Points are those of characteristic_ring.h: x and y are scaled by positive numbers, which changes no sign.
 template <class R>
 struct RingCondition {
-  std::string name;  // "corner x b(1,0)-b(0,0)"
-  int sign;          // that of the value, strictly
-  R value;
+  std::string name;  ///< "corner x b(1,0)-b(0,0)"
+  int sign;          ///< that of the value, strictly
+  R value;           ///< the difference, or the end's x
 };
 
 /// All of them: 48 of each patch, and the end on the spoke.

@@ -23,11 +23,11 @@ namespace subdiv {
 ///   4 (1 - sigma). v > 2/5: for v < 1 W > v, and 5 v^2 > 2 W says 5 v > 2. x_1 < 2: for v <= sqrt 2 it is
 ///   below 1/(2 - sqrt 2); beyond, v^2 < 2 W says (1 - sigma)/(2 - v) < v/(2 v - 2) < 1/(2 - sqrt 2) too.
 struct RingTheorem {
-  Decision holds = Decision::undecided;  // yes: proved; no: a condition fails somewhere
-  int conditions = 0;
-  int identities = 0;
-  long cells = 0;                 // of the box, over all factors
-  std::vector<std::string> open;  // names of what is not proved, wrong or not
+  Decision holds = Decision::undecided;  ///< yes: proved; no: a condition fails somewhere
+  int conditions = 0;                    ///< how many there are
+  int identities = 0;                    ///< how many joins there are
+  long cells = 0;                        ///< of the box, over all factors
+  std::vector<std::string> open;         ///< names of what is not proved, wrong or not
 };
 
 /// Some 0.2 s. cells: the budget of each factor.

@@ -21,10 +21,12 @@ namespace subdiv {
 /// 0, so that equal forms are equal term by term.
 template <ExactRing R>
 struct SectorForm {
-  R vertex = R(0);
-  std::map<int, R> mean;
+  R vertex = R(0);        ///< weight of P_0
+  std::map<int, R> mean;  ///< mean_p by the place p
+  /// At_(o, p) by the sector o, counted from the own one, and the place p.
   std::map<std::pair<int, int>, R> at;
 
+  /// The sum of all weights: 1 for an affine combination.
   [[nodiscard]] R sum() const {
     R result = vertex;
     for (const auto& [place, weight] : mean) result = result + weight;
@@ -46,6 +48,7 @@ struct SectorForm {
   }
 };
 
+/// Adds to one weight of a map; weights that become 0 are dropped.
 template <class R, class Key>
 void add_to_weight(std::map<Key, R>& weights, const Key& key, const R& summand) {
   R& weight = weights.try_emplace(key, R(0)).first->second;
@@ -94,6 +97,7 @@ class FormNet {
       : vertex_(std::move(vertex)), places_(std::move(places)) {}
 
   [[nodiscard]] const SectorForm<R>& centre() const { return vertex_; }
+  /// The point at a place of a sector, its form as that sector sees it.
   [[nodiscard]] SectorForm<R> at(int sector, int place) const {
     return turned(places_[static_cast<std::size_t>(place)], sector);
   }

@@ -30,23 +30,25 @@ namespace subdiv {
 /// P and Q as polynomials in x = x_7 with leading coefficient 1, read off the matrix: s = x_0, beta = x_1 and
 /// gamma = x_2 free; s = x_0, c = x_5.
 struct SpeedQuadratics {
-  Polynomial invariant;
-  Polynomial turning;
+  Polynomial invariant;  ///< P, of mode 0
+  Polynomial turning;    ///< Q, of the modes k != 0
 };
+/// Both, read off the matrix.
 [[nodiscard]] SpeedQuadratics speed_quadratics();
 
 /// P and Q with the weights (1), and the others by their definitions above: functions of q = x_0, D = x_1, c
 /// = x_2 and x = x_7.
 struct SpeedComparison {
-  RationalFunction P;
-  RationalFunction P_mirrored;  // P(-x)
-  RationalFunction Q;
-  RationalFunction a;
-  RationalFunction b;
-  RationalFunction alpha;
-  RationalFunction E;
-  RationalFunction G;
+  RationalFunction P;           ///< P(x)
+  RationalFunction P_mirrored;  ///< P(-x)
+  RationalFunction Q;           ///< Q(x)
+  RationalFunction a;           ///< P - Q = a x - b
+  RationalFunction b;           ///< see a
+  RationalFunction alpha;       ///< alpha, whose sign is that of a
+  RationalFunction E;           ///< E = D (1 - c)
+  RationalFunction G;           ///< G, whose sign is that of Q(b/a)
 };
+/// All of them as written above.
 [[nodiscard]] SpeedComparison speed_comparison();
 
 /// The identities above.

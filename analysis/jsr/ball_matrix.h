@@ -17,6 +17,7 @@ namespace subdiv {
 class BallMatrix {
  public:
   BallMatrix() : BallMatrix(0, 0) {}
+  /// A zero matrix.
   BallMatrix(long rows, long columns) { acb_mat_init(value_, rows, columns); }
   explicit BallMatrix(const Matrix<Interval>& real);
   /// The exact values of finite doubles.
@@ -37,23 +38,28 @@ class BallMatrix {
   [[nodiscard]] const acb_mat_struct* raw() const { return value_; }
   [[nodiscard]] acb_mat_struct* raw() { return value_; }
 
+  /// The midpoints of the balls, rounded to double.
   [[nodiscard]] Eigen::MatrixXcd midpoints() const;
   [[nodiscard]] bool is_finite() const { return acb_mat_is_finite(value_) != 0; }
+  /// The complex conjugate, entry by entry.
   [[nodiscard]] BallMatrix conjugate() const;
 
  private:
   acb_mat_t value_;
 };
 
+/// The product, rounded outwards at the precision in bits.
 [[nodiscard]] BallMatrix multiply(const BallMatrix& a, const BallMatrix& b, long precision);
 /// Each entry divided by a real number.
 [[nodiscard]] BallMatrix divide(const BallMatrix& a, const Interval& by);
 /// The x with a x = b for square a; nothing when a is not known to be invertible.
 [[nodiscard]] std::optional<BallMatrix> solve(const BallMatrix& a, const BallMatrix& b, long precision);
 
+/// The absolute value of a complex ball.
 [[nodiscard]] Interval modulus(acb_srcptr x, long precision);
 /// Operator norms: the largest column sum and row sum of moduli.
 [[nodiscard]] Interval one_norm(const BallMatrix& a, long precision);
+/// The largest row sum of absolute values, which is the norm induced by the largest component.
 [[nodiscard]] Interval infinity_norm(const BallMatrix& a, long precision);
 /// An upper bound of the Euclidean operator norm, from traces of powers of A^* A: |A|^(2k) <= tr (A^* A)^k.
 [[nodiscard]] Interval euclidean_norm_bound(const BallMatrix& a, long precision);

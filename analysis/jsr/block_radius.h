@@ -14,13 +14,13 @@ namespace subdiv {
 
 /// Certified bounds of the joint spectral radius of one family.
 struct BlockRadius {
-  Interval lower;                          // its lower end counts
-  Interval upper;                          // its upper end counts
-  bool closed = false;                     // the radius is that of the words; lower and upper are one ball
-  std::optional<Algebraic> exact{};        // the closed form, when closed
-  Decision bounded = Decision::undecided;  // all products T_w / radius^|w|
-  std::vector<Word> words{};               // whose radius is the lower bound
-  std::size_t vertices = 0;                // of the polytope that gives the upper bound
+  Interval lower;                          ///< its lower end counts
+  Interval upper;                          ///< its upper end counts
+  bool closed = false;                     ///< the radius is that of the words; lower and upper are one ball
+  std::optional<Algebraic> exact{};        ///< the closed form, when closed
+  Decision bounded = Decision::undecided;  ///< all products T_w / radius^|w|
+  std::vector<Word> words{};               ///< whose radius is the lower bound
+  std::size_t vertices = 0;                ///< of the polytope that gives the upper bound
 };
 
 /// Either the best bounds within the time, or only the attempts that can close.

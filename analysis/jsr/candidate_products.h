@@ -12,10 +12,11 @@ namespace subdiv {
 
 /// A word with rho(P)^(1/length) of its product in floating point.
 struct CandidateProduct {
-  Word word;
-  double radius = 0;
+  Word word;          ///< the letters, in the order in which matrices are applied
+  double radius = 0;  ///< rho(P)^(1/length)
 };
 
+/// How far the search goes.
 struct CandidateSearch {
   /// All Lyndon words are tried up to the length at which there would be more than this, and at least to
   /// length 2.
@@ -23,7 +24,7 @@ struct CandidateSearch {
   /// Longer words grow from those with the largest norms (Gripenberg 1996: only a word all of whose
   /// beginnings have a norm above the best radius^length can have a larger radius).
   int beam = 48;
-  int longest = 40;
+  int longest = 40;  ///< length of a word
   /// How many are returned.
   int wanted = 24;
 };

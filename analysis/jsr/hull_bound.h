@@ -12,8 +12,8 @@ namespace subdiv {
 
 /// A vertex or its conjugate, as a column of a basis.
 struct HullColumn {
-  int vertex;
-  bool conjugate;
+  int vertex;      ///< its number
+  bool conjugate;  ///< whether the conjugate of the vertex is meant
 
   friend bool operator==(const HullColumn&, const HullColumn&) = default;
 };

@@ -12,13 +12,14 @@ namespace subdiv {
 
 /// x = sum of c v over vertices v or their conjugates, and the sum of |c|.
 struct HullCombination {
+  /// c v for one vertex.
   struct Term {
-    int vertex;
-    bool conjugate;
-    std::complex<double> coefficient;
+    int vertex;                        ///< its number
+    bool conjugate;                    ///< whether v is the conjugate of the vertex
+    std::complex<double> coefficient;  ///< c
   };
-  std::vector<Term> terms;
-  double sum = 0;
+  std::vector<Term> terms;  ///< those that are not 0
+  double sum = 0;           ///< of |c|: the gauge, when the combination is optimal
 };
 
 /// The gauge of the balanced hull of vertices v_0, v_1, .. in floating point: the least sum of |c_j| with sum
@@ -28,8 +29,10 @@ struct HullCombination {
 /// proposals.
 class HullGauge {
  public:
+  /// Of vectors of one dimension; without vertices yet.
   HullGauge(Eigen::Index dimension, bool complex_hull);
 
+  /// Adds a vertex, in a real hull one without imaginary part.
   void add(const Eigen::VectorXcd& vertex);
   /// Starts further linear programs from a well-conditioned basis of the vertices, once they span the space.
   void condition();

@@ -19,22 +19,23 @@ namespace subdiv {
 
 /// What a polytope is grown for.
 struct PolytopeGoal {
-  Interval radius;  // of the words it starts with: the largest of theirs
+  Interval radius;  ///< of the words it starts with: the largest of theirs
   /// Q(radius) for a rational family, when all starting words have this very radius: then images on the
   /// boundary are decided in exact arithmetic. Without it they become vertices.
   std::shared_ptr<const NumberField> field{};
-  double slack = 0;  // growth aims at radius (1 + slack); at 0 it may prove the radius
-  bool complex_hull = false;
-  bool seek_better_word = true;  // growth ends when a product seems to have a larger radius
+  double slack = 0;              ///< growth aims at radius (1 + slack); at 0 it may prove the radius
+  bool complex_hull = false;     ///< whether vertices may be complex, with their conjugates
+  bool seek_better_word = true;  ///< growth ends when a product seems to have a larger radius
 };
 
+/// How the growth ended: no image is left outside, a budget ran out, or a product has a larger radius.
 enum class Growth { closed, too_many_vertices, out_of_time, better_word };
 
 /// What is proved: T_i v lies in bound * radius * hull for all i and all vertices v, which span the space.
 /// Then the joint spectral radius is at most bound * radius.
 struct PolytopeProof {
-  Interval bound;      // its upper end counts
-  bool tight = false;  // the bound is 1: all products T_w / radius^|w| are bounded
+  Interval bound;      ///< its upper end counts
+  bool tight = false;  ///< the bound is 1: all products T_w / radius^|w| are bounded
 };
 
 /// The balanced hull of vertices grown from leading eigenvectors by the matrices of a family (Guglielmi &
@@ -48,6 +49,7 @@ struct PolytopeProof {
 /// and the proof holds for all matrices in wide balls.
 class InvariantPolytope {
  public:
+  /// Without vertices yet.
   InvariantPolytope(const MatrixFamily& family, const AdaptedFamily& adapted, PolytopeGoal goal);
 
   /// The cycle of a leading vector whose radius is at most the goal's, times scale.

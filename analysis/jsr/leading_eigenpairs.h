@@ -10,8 +10,8 @@ namespace subdiv {
 /// eigenvector to it, normalised to one entry; existence is proved (Rump 2001; Arb's
 /// acb_mat_eig_enclosure_rump).
 struct Eigenpair {
-  BallMatrix value;  // 1 x 1
-  BallMatrix vector;
+  BallMatrix value;   ///< 1 x 1
+  BallMatrix vector;  ///< a column
 
   [[nodiscard]] bool is_real() const { return acb_is_real(value.at(0, 0)) != 0; }
 };

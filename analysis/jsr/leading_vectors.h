@@ -14,12 +14,12 @@ namespace subdiv {
 /// An eigenvector v of the product P of a word of length k, P v = lambda v, for a polytope to start with. Its
 /// radius |lambda|^(1/k) is a lower bound of the joint spectral radius.
 struct LeadingVector {
-  Word word;
-  BallMatrix eigenvalue;  // 1 x 1
-  Interval radius;
-  BallMatrix vector;  // in adapted coordinates; in the family's own, the entry `unit` is 1
-  Eigen::Index unit = 0;
-  std::optional<Vector<Rational>> rational;  // in the family's own coordinates, when lambda is rational
+  Word word;              ///< the word
+  BallMatrix eigenvalue;  ///< 1 x 1
+  Interval radius;        ///< |lambda|^(1/k)
+  BallMatrix vector;      ///< in adapted coordinates; in the family's own, the entry `unit` is 1
+  Eigen::Index unit = 0;  ///< the entry that is made 1
+  std::optional<Vector<Rational>> rational;  ///< in the family's own coordinates, when lambda is rational
 
   [[nodiscard]] bool is_real() const { return acb_mat_is_real(vector.raw()) != 0; }
 };

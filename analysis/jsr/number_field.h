@@ -12,11 +12,12 @@ namespace subdiv {
 
 /// Q(x) for a real algebraic number x, given with its minimal polynomial.
 struct NumberField {
+  /// Q(x).
   explicit NumberField(Algebraic x)
       : generator(std::move(x)), modulus(UnivariatePolynomial(generator.minimal_polynomial())) {}
 
-  Algebraic generator;
-  UnivariatePolynomial modulus;
+  Algebraic generator;           ///< x
+  UnivariatePolynomial modulus;  ///< the minimal polynomial of x
 };
 
 /// An element of a number field as a polynomial in the generator, reduced: sums, products, quotients,
@@ -25,8 +26,11 @@ struct NumberField {
 class FieldElement {
  public:
   FieldElement() = default;
+  /// A whole number.
   FieldElement(int n) : value_(n) {}
+  /// A rational number, in every field.
   FieldElement(const Rational& q) : value_(q) {}
+  /// The element x of Q(x).
   static FieldElement generator(std::shared_ptr<const NumberField> field) {
     return FieldElement(UnivariatePolynomial({Rational(0), Rational(1)}), std::move(field));
   }
@@ -50,7 +54,7 @@ class FieldElement {
   friend bool operator==(const FieldElement& a, const FieldElement& b) { return a.value_ == b.value_; }
 
   [[nodiscard]] bool is_zero() const { return value_.is_zero(); }
-  [[nodiscard]] int sign() const;
+  [[nodiscard]] int sign() const;  ///< -1, 0 or 1, decided.
 
  private:
   FieldElement(UnivariatePolynomial value, std::shared_ptr<const NumberField> field);

@@ -17,6 +17,7 @@ namespace subdiv {
 /// On the unit square: sum of c(i, j) B^m_i(u) B^n_j(v).
 class SquarePatch {
  public:
+  /// 0, of degree m in u and n in v.
   SquarePatch(int m, int n)
       : m_(m), n_(n), c_(static_cast<std::size_t>(m + 1) * static_cast<std::size_t>(n + 1)) {}
 
@@ -35,7 +36,9 @@ class SquarePatch {
   std::vector<Interval> c_;
 };
 
+/// The derivative with respect to u.
 [[nodiscard]] SquarePatch derivative_u(const SquarePatch& f);
+/// The derivative with respect to v.
 [[nodiscard]] SquarePatch derivative_v(const SquarePatch& f);
 [[nodiscard]] SquarePatch operator*(const SquarePatch& f, const SquarePatch& g);
 /// Of equal degrees.
@@ -45,6 +48,7 @@ class SquarePatch {
 /// (1 - u - v)^(n - i - j).
 class TrianglePatch {
  public:
+  /// 0, of degree n.
   explicit TrianglePatch(int n)
       : n_(n), c_(static_cast<std::size_t>(n + 1) * static_cast<std::size_t>(n + 1)) {}
 
@@ -60,7 +64,9 @@ class TrianglePatch {
   std::vector<Interval> c_;
 };
 
+/// The derivative with respect to u.
 [[nodiscard]] TrianglePatch derivative_u(const TrianglePatch& f);
+/// The derivative with respect to v.
 [[nodiscard]] TrianglePatch derivative_v(const TrianglePatch& f);
 [[nodiscard]] TrianglePatch operator*(const TrianglePatch& f, const TrianglePatch& g);
 [[nodiscard]] TrianglePatch operator-(TrianglePatch f, const TrianglePatch& g);
@@ -69,9 +75,9 @@ class TrianglePatch {
 
 /// The strict signs that a function is known to take.
 struct SignsFound {
-  bool positive = false;
-  bool negative = false;
-  bool open = false;  // somewhere the budget ended
+  bool positive = false;  ///< somewhere
+  bool negative = false;  ///< somewhere
+  bool open = false;      ///< somewhere the budget ended
   /// Of all Bernstein coefficients looked at in the end, up to rounding.
   double smallest = std::numeric_limits<double>::infinity();
   double largest = -std::numeric_limits<double>::infinity();

@@ -40,18 +40,18 @@ struct CharacteristicMap {
   /// Why there is no such map: "eigenvalue not simple in its mode", "complex eigenvalue", ..; else empty. All
   /// below is then without meaning but for rigour and method.
   std::string missing;
-  int mode = 1;
-  Interval eigenvalue;              // encloses lambda when certified, else the computed value
-  double eigenvalue_of_mode_1 = 0;  // the largest modulus in mode 1, approximate; lambda's when mode = 1
-  Decision regular = Decision::undecided;
-  Decision injective = Decision::undecided;
+  int mode = 1;                     ///< k, the Fourier mode of lambda
+  Interval eigenvalue;              ///< encloses lambda when certified, else the computed value
+  double eigenvalue_of_mode_1 = 0;  ///< the largest modulus in mode 1, approximate; lambda's when mode = 1
+  Decision regular = Decision::undecided;    ///< whether the Jacobian has one strict sign
+  Decision injective = Decision::undecided;  ///< whether no two points have the same image
   /// Of the map once around the vertex, counted on its curve; n divides winding - mode.
   std::optional<int> winding;
   /// The smallest Jacobian found over the largest (the samples', or the Bernstein coefficients'),
   /// approximate; negative when signs differ.
   double jacobian_ratio = 0;
-  Rigour rigour = Rigour::approximate;
-  std::string method;
+  Rigour rigour = Rigour::approximate;  ///< of regular and injective
+  std::string method;                   ///< how they were decided, in a few words
 
   [[nodiscard]] bool exists() const { return missing.empty(); }
 };
@@ -59,9 +59,9 @@ struct CharacteristicMap {
 /// One scheme over the rings in which the question is asked: exact says which limit surfaces are splines (it
 /// is never asked for rules at the extraordinary vertex), enclosed proves.
 struct MeshSchemeForms {
-  std::optional<MeshScheme<Rational>> exact;  // none where parameters are irrational
-  MeshScheme<Interval> enclosed;
-  MeshScheme<double> rounded;
+  std::optional<MeshScheme<Rational>> exact;  ///< none where parameters are irrational
+  MeshScheme<Interval> enclosed;              ///< for proofs
+  MeshScheme<double> rounded;                 ///< in double, for what is not proved
 };
 
 /// Of a scheme without free parameters.
@@ -90,6 +90,7 @@ struct MeshSchemeForms {
 /// pieces between the rows r and 2 r are taken as limits. r is even for triangles.
 [[nodiscard]] CharacteristicMap sampled_verdict(const MeshScheme<double>& scheme,
                                                 const CharacteristicNet<double>& net, int levels);
+/// The verdict where limits are splines, from the pieces of the ring at a row of faces.
 [[nodiscard]] CharacteristicMap spline_verdict(const CharacteristicNet<Interval>& net,
                                                const LatticeSpline& spline, int row);
 

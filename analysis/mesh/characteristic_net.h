@@ -16,6 +16,7 @@ namespace subdiv {
 template <class R>
 class CharacteristicNet {
  public:
+  /// Without points yet: sides 3 or 4, the valence n, the Fourier mode, and the eigenvalue.
   CharacteristicNet(int sides, int valence, int mode, R eigenvalue)
       : sides_(sides),
         valence_(valence),

@@ -9,9 +9,10 @@ namespace subdiv {
 /// An end of the condition on the eigenvalues (spectral_condition.h) with many digits: the parameter at which
 /// another eigenvalue, or a pair of complex ones, reaches the modulus of lambda.
 struct ConditionEnd {
-  Interval at;  // the only s of the cell with |rival| = lambda
+  Interval at;  ///< the only s of the cell with |rival| = lambda
+  /// Whether the condition holds for parameters just below the end, and fails above.
   bool holds_below = false;
-  Rival rival;  // its mode is proved, its value computed; `subdominant` is lambda, computed
+  Rival rival;  ///< its mode is proved, its value computed; `subdominant` is lambda, computed
 };
 
 /// Proved for the cell [lower, upper]: the condition holds on exactly one side of `at`, which is the only s

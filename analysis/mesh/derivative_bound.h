@@ -26,10 +26,10 @@ namespace subdiv {
 /// |b_j(u)|, b_j the basis functions: with j = c in the sums too, a norm is at most max of alpha + factor
 /// rho.
 struct LatticeWindow {
-  LatticeOffset first;  // W: first + (i, j), 0 <= i < size.a, 0 <= j < size.b
-  LatticeOffset size;
-  LatticeOffset reference;  // c, near the middle
-  double factor = 0;        // an upper bound, rounding errors included
+  LatticeOffset first;      ///< W: first + (i, j), 0 <= i < size.a, 0 <= j < size.b
+  LatticeOffset size;       ///< of W, in points along the two directions
+  LatticeOffset reference;  ///< c, near the middle
+  double factor = 0;        ///< an upper bound, rounding errors included
 };
 
 /// Nothing when the scheme does not reproduce constants, W is too small, or words of moderate length have rho
@@ -43,9 +43,10 @@ struct LatticeWindow {
 
 /// Windows of a scheme and of its derivatives along the two directions: that they exist proves limits C^1.
 struct DerivativeBounds {
-  LatticeWindow position;
-  std::array<LatticeWindow, 2> derivatives;
+  LatticeWindow position;                    ///< of the limit itself
+  std::array<LatticeWindow, 2> derivatives;  ///< of the derivatives along the two directions
 };
+/// All three windows; nothing when one of them is missing.
 [[nodiscard]] std::optional<DerivativeBounds> derivative_bounds(const LatticeMask<Rational>& mask);
 
 /// The verdict on a net that has 2 reach + 2 rings or more and is extended as needed: on each square of the

@@ -21,13 +21,13 @@ namespace subdiv {
 ///   P'_{j,p} = pull_p P_0 + sum over k, q of blocks[k](p, q) P_{j+k,q},   0 <= k < n, sectors modulo n.
 template <class R>
 struct FanMatrix {
-  int sides = 4;
-  int valence = 0;
-  int rings = 0;
-  R centre = R(0);
-  Vector<R> spread;
-  Vector<R> pull;
-  std::vector<Matrix<R>> blocks;
+  int sides = 4;                  ///< of the faces: 3 or 4
+  int valence = 0;                ///< n
+  int rings = 0;                  ///< of faces around the vertex that are taken
+  R centre = R(0);                ///< weight of P_0 in P'_0
+  Vector<R> spread;               ///< by the place p
+  Vector<R> pull;                 ///< by the place p
+  std::vector<Matrix<R>> blocks;  ///< blocks[k](p, q)
 
   [[nodiscard]] Eigen::Index places() const { return pull.size(); }
 };

@@ -12,14 +12,15 @@ namespace subdiv {
 /// Coefficients of x^0, x^1, .. in intervals.
 using IntervalPolynomial = std::vector<Interval>;
 
+/// p(x) by Horner's rule; encloses the values at all points of x.
 [[nodiscard]] Interval value_at(const IntervalPolynomial& p, const Interval& x);
 
 /// A family of real polynomials middle + t slope with |t| <= half_width, coefficient by coefficient each with
 /// slopes of its own: a polynomial whose coefficients depend on a parameter, on an interval of it.
 struct PolynomialFamily {
-  IntervalPolynomial middle;
-  IntervalPolynomial slope;
-  Interval half_width = Interval(0);
+  IntervalPolynomial middle;          ///< at t = 0
+  IntervalPolynomial slope;           ///< with respect to t
+  Interval half_width = Interval(0);  ///< of the interval of t
 
   [[nodiscard]] int degree() const { return static_cast<int>(middle.size()) - 1; }
   /// Encloses the values of all at x.

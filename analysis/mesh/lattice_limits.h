@@ -18,11 +18,13 @@ namespace subdiv {
 /// scheme for which these eigenvalues are simple in their modes, as it is when limits are C^1 and basis
 /// functions independent. The Jacobian is |df/dz|^2 - |df/dconj(z)|^2 up to the area of a lattice cell.
 struct LatticeLimits {
-  std::vector<LatticeOffset> offsets;
-  std::vector<double> position;
-  std::vector<PlaneNumber<double>> derivative;
+  std::vector<LatticeOffset> offsets;           ///< o, the support of both masks
+  std::vector<double> position;                 ///< position_o, of sum 1
+  std::vector<PlaneNumber<double>> derivative;  ///< derivative_o
 
+  /// The limit f at the lattice point (a, b) of sector 0.
   [[nodiscard]] PlaneNumber<double> point(const CharacteristicNet<double>& net, int a, int b) const;
+  /// The Jacobian there.
   [[nodiscard]] double jacobian(const CharacteristicNet<double>& net, int a, int b) const;
 };
 

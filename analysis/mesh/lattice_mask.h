@@ -14,8 +14,8 @@ namespace subdiv {
 
 /// Steps along the two directions of the regular lattice of quads or triangles.
 struct LatticeOffset {
-  int a = 0;
-  int b = 0;
+  int a = 0;  ///< along the first direction
+  int b = 0;  ///< along the second
   friend bool operator==(const LatticeOffset&, const LatticeOffset&) = default;
 };
 
@@ -39,6 +39,7 @@ struct LatticeOffset {
 template <class R>
 class LatticeMask {
  public:
+  /// All coefficients 0, for offsets whose components lie in -last .. last.
   explicit LatticeMask(int last)
       : last_(last),
         values_(static_cast<std::size_t>(2 * last + 1) * static_cast<std::size_t>(2 * last + 1), R(0)) {}
@@ -46,6 +47,7 @@ class LatticeMask {
   [[nodiscard]] int last() const { return last_; }
   [[nodiscard]] const R& operator()(int a, int b) const { return values_[slot(a, b)]; }
   [[nodiscard]] R& operator()(int a, int b) { return values_[slot(a, b)]; }
+  /// Whether an offset lies in -last .. last in both components.
   [[nodiscard]] bool contains(int a, int b) const {
     return -last_ <= a && a <= last_ && -last_ <= b && b <= last_;
   }

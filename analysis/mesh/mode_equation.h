@@ -18,14 +18,17 @@ namespace subdiv {
 
 /// x_5 stands for c, x_4 for 1/n, x_0 and on for the scheme's parameters, x_7 (eigenvalue_variable) for x.
 inline constexpr int turn_variable = 5;
+/// The variable that stands for the valence n where the rules of mode 0 depend on it.
 inline constexpr int valence_variable = 4;
 
 /// A polynomial as a product of irreducible factors over Q with their multiplicities: 0 exactly at the
 /// eigenvalues, wherever the leading coefficient in x is not 0 (it is constant but for poles of the rules).
 struct ModeEquation {
-  std::vector<std::pair<Polynomial, int>> factors;
+  std::vector<std::pair<Polynomial, int>> factors;  ///< irreducible, with multiplicities
 
+  /// The degree in x of the product.
   [[nodiscard]] long degree() const;
+  /// The factors multiplied out.
   [[nodiscard]] Polynomial product() const;
 };
 

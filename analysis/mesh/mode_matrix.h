@@ -107,9 +107,9 @@ Matrix<R> mode_matrix(const FanMatrix<R>& fan, int mode) {
 /// An eigenvalue of a real matrix and its eigenvector, or why there is none of the kind wanted.
 template <class R>
 struct RealEigenpair {
-  std::string missing;
-  R value = R(0);
-  Vector<R> vector;  // the component of largest modulus is 1
+  std::string missing;  ///< why there is none; empty when there is
+  R value = R(0);       ///< the eigenvalue
+  Vector<R> vector;     ///< the component of largest modulus is 1
 };
 
 /// The eigenvalue of largest modulus; missing when it is complex, or not simple up to rounding (eigenvalues

@@ -8,8 +8,8 @@ namespace subdiv {
 /// A complex number x + i y over any ring: std::complex is defined for floating-point numbers alone.
 template <class R>
 struct PlaneNumber {
-  R x = R(0);
-  R y = R(0);
+  R x = R(0);  ///< the real part
+  R y = R(0);  ///< the imaginary part
 
   friend PlaneNumber operator+(const PlaneNumber& a, const PlaneNumber& b) { return {a.x + b.x, a.y + b.y}; }
   friend PlaneNumber operator-(const PlaneNumber& a, const PlaneNumber& b) { return {a.x - b.x, a.y - b.y}; }
@@ -19,6 +19,7 @@ struct PlaneNumber {
   friend PlaneNumber operator*(const R& c, const PlaneNumber& a) { return {c * a.x, c * a.y}; }
 };
 
+/// x - i y.
 template <class R>
 PlaneNumber<R> conjugate(const PlaneNumber<R>& a) {
   return {a.x, R(0) - a.y};

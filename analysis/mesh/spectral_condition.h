@@ -17,23 +17,25 @@ namespace subdiv {
 
 /// A closed interval of the parameter throughout which the condition holds, or fails, or is not decided.
 struct ConditionCell {
-  Rational lower;
-  Rational upper;
-  Decision holds = Decision::undecided;
+  Rational lower;                        ///< the left end
+  Rational upper;                        ///< the right end
+  Decision holds = Decision::undecided;  ///< for all parameters of the cell
 };
 
 /// The largest eigenvalue besides 1 and lambda, in double precision: not proved.
 struct Rival {
-  int mode = 0;
-  std::complex<double> value;
-  double subdominant = 0;  // the modulus of mode 1's largest
+  int mode = 0;                ///< the Fourier mode that it belongs to
+  std::complex<double> value;  ///< the eigenvalue
+  double subdominant = 0;      ///< the modulus of mode 1's largest
 };
 
+/// What is known of the spectrum where the condition holds.
 struct LeadingEigenvalues {
-  Interval subdominant;  // lambda
-  Interval next;         // the largest modulus of the others, 1 left out
+  Interval subdominant;  ///< lambda
+  Interval next;         ///< the largest modulus of the others, 1 left out
 };
 
+/// The condition for one scheme, valence by valence, on intervals of its parameter.
 class SpectralCondition {
  public:
   /// The equations of the modes k != 0 and of mode 0, with no other parameter than x_0, at one valence. (Mode

@@ -11,8 +11,8 @@ namespace subdiv {
 
 /// Uniform splines on the regular lattices.
 struct LatticeSpline {
-  int sides = 4;   // 4: tensor products of B-splines of odd degree; 3: the quartic box spline of the three
-  int degree = 3;  // directions of the triangles' edges, each taken twice
+  int sides = 4;   ///< 4: tensor products of B-splines of odd degree; 3: the quartic box spline of the three
+  int degree = 3;  ///< directions of the triangles' edges, each taken twice
 };
 
 /// The masks of their subdivision: (1 + z)^(d + 1) (1 + w)^(d + 1)/4^d, and (1 + z)^2 (1 + w)^2 (1 +
@@ -25,9 +25,9 @@ struct LatticeSpline {
 /// A face of the lattice in sector 0: the quad or, upright, the triangle with the corners (a, b), (a + 1, b),
 /// (a, b + 1); else the triangle (a + 1, b + 1), (a, b + 1), (a + 1, b).
 struct LatticeCell {
-  int a = 0;
-  int b = 0;
-  bool upright = true;
+  int a = 0;            ///< along the first spoke
+  int b = 0;            ///< along the second direction
+  bool upright = true;  ///< of the two triangles of a quad; true for quads
 };
 
 /// The cells between row r and row 2 r, those of them with b <= a: their reflections are the others.
@@ -38,6 +38,7 @@ struct LatticeCell {
 /// (degree + 1)/2 rows around the cell (triangles: 1).
 [[nodiscard]] std::pair<SquarePatch, SquarePatch> square_piece(const CharacteristicNet<Interval>& net,
                                                                int degree, const LatticeCell& cell);
+/// The coordinates x and y of the map on a triangle of the lattice, box splines in Bernstein form.
 [[nodiscard]] std::pair<TrianglePatch, TrianglePatch> triangle_piece(const CharacteristicNet<Interval>& net,
                                                                      const LatticeCell& cell);
 

@@ -28,9 +28,10 @@ namespace subdiv {
 /// The ellipse of mode 1 of a closed plane polygon, half axes; both 0 when the polygon has no such part.
 /// Throws std::invalid_argument for an open polygon or another dimension than 2.
 struct HalfAxes {
-  double major = 0;
-  double minor = 0;
+  double major = 0;  ///< the longer half axis
+  double minor = 0;  ///< the shorter half axis
 };
+/// The ellipse of a closed plane polygon.
 [[nodiscard]] HalfAxes limit_ellipse(const Polyline& polygon);
 
 }  // namespace subdiv

@@ -92,14 +92,14 @@ R squared_normal_jerk(const Vector<R>& a, const Vector<R>& b, const Vector<R>& c
 
 /// The estimates at a vertex in double precision. Directions of unit length; empty where there is none.
 struct VertexGeometry {
-  std::vector<double> velocity;
-  std::vector<double> acceleration;
-  std::vector<double> tangent;  // of the velocity; none where A = C
+  std::vector<double> velocity;      ///< a component for each coordinate
+  std::vector<double> acceleration;  ///< likewise
+  std::vector<double> tangent;       ///< of the velocity; none where A = C
   /// In the plane the tangent turned left by a right angle. In other dimensions the direction of the part of
   /// the acceleration across the tangent, towards the centre of curvature; none where A, B, C lie on a line.
   std::vector<double> normal;
-  double circle_curvature = 0;    // in the plane positive for a turn to the left; else not negative
-  double parabola_curvature = 0;  // the same
+  double circle_curvature = 0;    ///< in the plane positive for a turn to the left; else not negative
+  double parabola_curvature = 0;  ///< the same
 
   [[nodiscard]] double circle_radius() const { return radius(circle_curvature); }
   [[nodiscard]] double parabola_radius() const { return radius(parabola_curvature); }

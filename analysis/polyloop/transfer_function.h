@@ -52,13 +52,13 @@ R power_at_cosine(const Laurent<R>& weights, const R& c) {
 
 /// A part of a sequence, applied so many times; the order does not matter to frequencies.
 struct FilterPart {
-  Laurent<Rational> weights;
-  long times = 1;
+  Laurent<Rational> weights;  ///< w_j at the power j
+  long times = 1;             ///< how often it is applied
 };
 
 /// The largest modulus of a transfer function over all frequencies, and where it is taken.
 struct LargestGain {
-  Enclosure gain;
+  Enclosure gain;  ///< proved
   /// cos omega, the least omega of several; 1 where nothing is amplified. Nothing where the largest of
   /// several candidates could not be told.
   std::optional<Algebraic> cosine;
@@ -68,14 +68,16 @@ struct LargestGain {
 /// are the ends c = -1, 1 and the zeros of the derivative; of those that 1024 bits cannot tell apart the gain
 /// is enclosed together.
 [[nodiscard]] LargestGain largest_gain(const std::vector<FilterPart>& parts);
+/// Of one filter.
 [[nodiscard]] LargestGain largest_gain(const Laurent<Rational>& weights);
 
 /// The largest modulus of the product of filters known as intervals: certified, by halving [-1, 1]; the
 /// status is out_of_depth when the relative width 1e-6 is not reached.
 struct IntervalFilterPart {
-  Laurent<Interval> weights;
-  long times = 1;
+  Laurent<Interval> weights;  ///< w_j at the power j
+  long times = 1;             ///< how often it is applied
 };
+/// Of the product of such filters.
 [[nodiscard]] Enclosure largest_gain(const std::vector<IntervalFilterPart>& parts);
 
 /// Whether some frequency is amplified: gain > 1.

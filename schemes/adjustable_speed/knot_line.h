@@ -25,11 +25,11 @@ using LineWeights = std::array<R, 4>;
 template <class R>
 class KnotLine {
  public:
-  static constexpr std::size_t zero = 2;
-  static constexpr std::size_t first = 3;   // a_1
-  static constexpr std::size_t second = 4;  // a_2
-  static constexpr std::size_t third = 5;   // a_3
-  static constexpr std::size_t other = 6;   // others[0]; others[1] follows, ..
+  static constexpr std::size_t zero = 2;    ///< the place of the knot 0 in the list
+  static constexpr std::size_t first = 3;   ///< a_1
+  static constexpr std::size_t second = 4;  ///< a_2
+  static constexpr std::size_t third = 5;   ///< a_3
+  static constexpr std::size_t other = 6;   ///< others[0]; others[1] follows, ..
 
   /// a_1, a_2, a_3, and other numbers that are used as arguments.
   explicit KnotLine(const std::array<R, 3>& knots, const std::vector<R>& others = {})

@@ -15,6 +15,7 @@ template <class R, std::size_t dimension>
 void add_weighted(std::array<R, dimension>& sum, const R& weight, const std::array<R, dimension>& point) {
   for (std::size_t i = 0; i < dimension; ++i) add_product(sum[i], weight, point[i]);
 }
+/// The same for plain numbers.
 template <class R>
 void add_weighted(R& sum, const R& weight, const R& point) {
   add_product(sum, weight, point);
@@ -25,7 +26,7 @@ void add_weighted(R& sum, const R& weight, const R& point) {
 template <class P>
 class SectorNet {
  public:
-  static constexpr std::size_t places = 6;
+  static constexpr std::size_t places = 6;  ///< in a sector
 
   /// 1 + 6 n points.
   SectorNet(int valence, std::vector<P> points) : valence_(valence), points_(std::move(points)) {}

@@ -17,14 +17,16 @@ namespace subdiv {
 /// counter-clockwise from the own one, -1 <= sector <= 2, to be taken modulo the valence.
 template <class R>
 struct SectorStencil {
+  /// A point of a sector with its weight.
   struct Term {
-    int sector = 0;
-    int place = 0;
-    R weight;
+    int sector = 0;  ///< counter-clockwise from the own one
+    int place = 0;   ///< of sector_places(4, 2)
+    R weight;        ///< of the point
   };
-  R centre = R(0);
-  std::vector<Term> terms;
+  R centre = R(0);          ///< the weight of the vertex
+  std::vector<Term> terms;  ///< of the other points
 
+  /// The sum of all weights: 1 for an affine combination.
   [[nodiscard]] R sum() const {
     R result = centre;
     for (const Term& term : terms) result = result + term.weight;
@@ -35,9 +37,10 @@ struct SectorStencil {
 /// Where (i, j) lies, i steps along a sector's first spoke and j along the next one, both from -1 to 2 and
 /// not both negative: across a spoke it is a place of the neighbouring sector. place = -1 at the vertex.
 struct SectorPlace {
-  int sector = 0;
-  int place = -1;
+  int sector = 0;  ///< counter-clockwise from the own one
+  int place = -1;  ///< of sector_places(4, 2); -1 for the vertex
 };
+/// The place of (i, j).
 [[nodiscard]] inline SectorPlace sector_place(int i, int j) {
   const auto place = [](int a, int b) {
     const std::vector<FanPlace> places = sector_places(4, 2);

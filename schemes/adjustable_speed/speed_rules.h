@@ -90,8 +90,8 @@ std::vector<SectorStencil<R>> refined_places(const R& sigma) {
 /// of the mean of the (1, 1).
 template <class R>
 struct VertexWeights {
-  R beta;
-  R gamma;
+  R beta;   ///< of the edge neighbours
+  R gamma;  ///< of the diagonal ones
 };
 /// Paper (1): those that keep the limit point of Catmull-Clark; for n = 4 knot insertion's own.
 template <class R>

@@ -65,6 +65,7 @@ class Algebraic {
   [[nodiscard]] bool is_rational() const { return degree() == 1; }
   /// Throws std::domain_error when the number is irrational.
   [[nodiscard]] Rational to_rational() const;
+  /// A ball around the number.
   [[nodiscard]] Interval to_interval(long precision = Interval::default_precision) const;
   /// Degree of the minimal polynomial.
   [[nodiscard]] long degree() const { return fmpz_poly_degree(&value_->poly); }
@@ -82,6 +83,7 @@ class Algebraic {
 
 /// The square root of a number that is not negative (std::domain_error otherwise).
 [[nodiscard]] Algebraic sqrt(const Algebraic& x);
+/// The absolute value.
 [[nodiscard]] Algebraic abs(const Algebraic& x);
 
 template <>

@@ -9,14 +9,14 @@ namespace subdiv {
 
 /// The points where all equations vanish and none of `nonzero` does, over the complex numbers.
 struct ZeroSet {
-  std::vector<Polynomial> equations;
-  std::vector<Polynomial> nonzero;
+  std::vector<Polynomial> equations;  ///< all of which vanish
+  std::vector<Polynomial> nonzero;    ///< none of which vanishes
 };
 
 /// What was found, with the cases of the proof as readable lines, indented by depth.
 struct EmptinessProof {
-  bool proved = false;  // false: not empty, or not decided
-  std::vector<std::string> cases;
+  bool proved = false;             ///< false: not empty, or not decided
+  std::vector<std::string> cases;  ///< one step of the proof a line
 };
 
 /// Tries to prove in exact arithmetic that the set is empty. Factors that cannot vanish are dropped; an

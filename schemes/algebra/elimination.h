@@ -24,6 +24,7 @@ double pivot_quality(const R& x) {
   }
 }
 
+/// The least absolute value in the ball: 0 when it contains 0.
 inline double pivot_quality(const Interval& x) {
   mag_t bound;
   mag_init(bound);

@@ -22,6 +22,7 @@ template <ExactRing F>
 class FieldPolynomial {
  public:
   FieldPolynomial() = default;
+  /// Coefficients of x^0, x^1, ..; zeros at the end are dropped.
   explicit FieldPolynomial(std::vector<F> coefficients) : coefficients_(std::move(coefficients)) {
     while (!coefficients_.empty() && subdiv::is_zero(coefficients_.back())) coefficients_.pop_back();
   }
@@ -31,11 +32,13 @@ class FieldPolynomial {
   [[nodiscard]] long degree() const { return static_cast<long>(coefficients_.size()) - 1; }
   [[nodiscard]] const std::vector<F>& coefficients() const { return coefficients_; }
   [[nodiscard]] const F& leading() const { return coefficients_.back(); }
+  /// The value at x, by Horner's rule.
   [[nodiscard]] F evaluate(const F& x) const {
     F value(0);
     for (std::size_t i = coefficients_.size(); i-- > 0;) value = value * x + coefficients_[i];
     return value;
   }
+  /// The derivative.
   [[nodiscard]] FieldPolynomial derivative() const {
     std::vector<F> result;
     for (std::size_t i = 1; i < coefficients_.size(); ++i)

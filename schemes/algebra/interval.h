@@ -16,13 +16,15 @@ namespace subdiv {
 /// There is deliberately no operator<: ask certainly_less, contains_zero and the like.
 class Interval {
  public:
-  static constexpr long default_precision = 128;
+  static constexpr long default_precision = 128;  ///< in bits
 
   Interval() { arb_init(value_); }
+  /// A whole number, exact, of no precision of its own.
   Interval(int n) {
     arb_init(value_);
     arb_set_si(value_, n);
   }
+  /// A whole number, exact, of no precision of its own.
   Interval(long n) {
     arb_init(value_);
     arb_set_si(value_, n);
@@ -74,6 +76,7 @@ class Interval {
     arb_div(value_, value_, o.value_, raise(o));
     return *this;
   }
+  /// sum += a b, rounded once.
   friend void add_product(Interval& sum, const Interval& a, const Interval& b) {
     sum.raise(a);
     arb_addmul(sum.value_, a.value_, b.value_, sum.raise(b));
@@ -100,16 +103,20 @@ class Interval {
 
   /// Exact dyadic end points (of a finite ball; std::domain_error otherwise).
   [[nodiscard]] Rational lower() const;
+  /// The right end, exact.
   [[nodiscard]] Rational upper() const;
+  /// The middle of the ball, exact.
   [[nodiscard]] Rational midpoint() const;
   /// The radius as a double, rounded up.
   [[nodiscard]] double radius() const;
   [[nodiscard]] double to_double() const { return arf_get_d(arb_midref(value_), ARF_RND_NEAR); }
   /// The ball without its radius.
   [[nodiscard]] Interval center() const;
+  /// As Arb prints it, "[middle +/- radius]", with at most so many digits.
   [[nodiscard]] std::string to_string(int digits = 20) const;
 
   [[nodiscard]] long precision() const { return precision_; }
+  /// The same ball with another working precision.
   [[nodiscard]] Interval with_precision(long bits) const;
   [[nodiscard]] const arb_struct* raw() const { return value_; }
   [[nodiscard]] arb_struct* raw() { return value_; }
@@ -130,20 +137,30 @@ class Interval {
 [[nodiscard]] inline bool certainly_less(const Interval& a, const Interval& b) {
   return arb_lt(a.raw(), b.raw()) != 0;
 }
+/// True only when every point of a is at most every point of b.
 [[nodiscard]] inline bool certainly_at_most(const Interval& a, const Interval& b) {
   return arb_le(a.raw(), b.raw()) != 0;
 }
 [[nodiscard]] inline bool certainly_positive(const Interval& a) { return arb_is_positive(a.raw()) != 0; }
 [[nodiscard]] inline bool certainly_negative(const Interval& a) { return arb_is_negative(a.raw()) != 0; }
 
+/// Encloses |x|.
 [[nodiscard]] Interval abs(const Interval& x);
+/// Encloses the square root; not finite when the ball reaches below 0.
 [[nodiscard]] Interval sqrt(const Interval& x);
+/// Encloses x^n; n may be negative.
 [[nodiscard]] Interval pow(const Interval& x, long n);
+/// Encloses the natural logarithm; not finite unless the ball is positive.
 [[nodiscard]] Interval log(const Interval& x);
+/// Encloses the exponential.
 [[nodiscard]] Interval exp(const Interval& x);
+/// Encloses the cosine.
 [[nodiscard]] Interval cos(const Interval& x);
+/// Encloses the sine.
 [[nodiscard]] Interval sin(const Interval& x);
+/// Encloses the larger of the two.
 [[nodiscard]] Interval max(const Interval& a, const Interval& b);
+/// Encloses the smaller of the two.
 [[nodiscard]] Interval min(const Interval& a, const Interval& b);
 /// pi at the given precision.
 [[nodiscard]] Interval pi(long precision = Interval::default_precision);

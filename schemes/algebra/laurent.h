@@ -17,6 +17,7 @@ template <class R>
 class Laurent {
  public:
   Laurent() = default;
+  /// A constant.
   Laurent(int n) : Laurent(0, {R(n)}) {}
   /// Coefficients of z^first, z^(first+1), ...
   Laurent(int first, std::vector<R> coefficients) : first_(first), coefficients_(std::move(coefficients)) {
@@ -131,6 +132,7 @@ Laurent<R> euler_derivative(const Laurent<R>& p) {
   return Laurent<R>(p.first(), std::move(result));
 }
 
+/// p^n for n >= 0.
 template <class R>
 Laurent<R> pow(const Laurent<R>& p, int n) {
   Laurent<R> result(1);

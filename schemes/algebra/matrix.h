@@ -50,8 +50,10 @@ struct NumTraits<subdiv::Interval> : subdiv::detail::RingNumTraits<subdiv::Inter
 
 namespace subdiv {
 
+/// A matrix over a ring, of any size.
 template <class R>
 using Matrix = Eigen::Matrix<R, Eigen::Dynamic, Eigen::Dynamic>;
+/// A column over a ring, of any size.
 template <class R>
 using Vector = Eigen::Matrix<R, Eigen::Dynamic, 1>;
 
@@ -61,6 +63,7 @@ Matrix<R> zero_matrix(Eigen::Index rows, Eigen::Index columns) {
   return Matrix<R>::Constant(rows, columns, R(0));
 }
 
+/// The identity matrix of n rows.
 template <class R>
 Matrix<R> identity_matrix(Eigen::Index n) {
   Matrix<R> result = zero_matrix<R>(n, n);

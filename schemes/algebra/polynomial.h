@@ -16,8 +16,8 @@ namespace subdiv {
 /// Polynomials over Q have at most this many indeterminates x_0 .. x_7. The first ones are the parameters of
 /// a scheme in the order of their names; the last two serve as the symbol's z and a matrix's eigenvalue.
 inline constexpr int max_parameters = 8;
-inline constexpr int symbol_variable = 6;
-inline constexpr int eigenvalue_variable = 7;
+inline constexpr int symbol_variable = 6;      ///< the z of a symbol
+inline constexpr int eigenvalue_variable = 7;  ///< the indeterminate of a characteristic polynomial
 /// Parameters that a scheme may leave free.
 inline constexpr int max_free_parameters = 6;
 
@@ -25,7 +25,9 @@ inline constexpr int max_free_parameters = 6;
 class Polynomial {
  public:
   Polynomial();
+  /// A constant.
   Polynomial(int n);
+  /// A constant.
   Polynomial(const Rational& q);
   /// The indeterminate x_i, 0 <= i < max_parameters.
   static Polynomial variable(int i);
@@ -45,12 +47,16 @@ class Polynomial {
   friend Polynomial operator-(Polynomial a) { return a *= Polynomial(-1); }
   friend bool operator==(const Polynomial& a, const Polynomial& b);
 
+  /// Whether it is 0.
   [[nodiscard]] bool is_zero() const;
+  /// Whether no variable occurs.
   [[nodiscard]] bool is_constant() const;
   /// The constant's value; throws std::domain_error when the polynomial is not constant.
   [[nodiscard]] Rational constant() const;
+  /// The degree in one variable; -1 for 0.
   [[nodiscard]] long degree(int variable) const;
   [[nodiscard]] bool uses(int variable) const { return degree(variable) > 0; }
+  /// The derivative with respect to one variable.
   [[nodiscard]] Polynomial derivative(int variable) const;
   /// The coefficients, as polynomials in the other variables, of powers 0 .. degree of one variable.
   [[nodiscard]] std::vector<Polynomial> coefficients_in(int variable) const;
@@ -62,9 +68,10 @@ class Polynomial {
   template <class R>
   [[nodiscard]] R evaluate(std::span<const R> values) const;
 
+  /// A monomial with its coefficient.
   struct Term {
-    Rational coefficient;
-    std::vector<long> exponents;  // max_parameters of them
+    Rational coefficient;         ///< not 0
+    std::vector<long> exponents;  ///< max_parameters of them
   };
   /// The terms in lexicographic order, highest first.
   [[nodiscard]] std::vector<Term> terms() const;
@@ -74,13 +81,14 @@ class Polynomial {
 
   [[nodiscard]] const fmpq_mpoly_struct* raw() const { return value_; }
   [[nodiscard]] fmpq_mpoly_struct* raw() { return value_; }
+  /// FLINT's context, one for all polynomials.
   static const fmpq_mpoly_ctx_struct* context();
 
  private:
   fmpq_mpoly_t value_;
 };
 
-[[nodiscard]] Polynomial pow(const Polynomial& p, unsigned n);
+[[nodiscard]] Polynomial pow(const Polynomial& p, unsigned n);  ///< p^n.
 /// a / b when b divides a: true and the quotient; false otherwise (also for b = 0).
 [[nodiscard]] bool divides(const Polynomial& b, const Polynomial& a, Polynomial& quotient);
 /// The monic greatest common divisor.
@@ -88,8 +96,9 @@ class Polynomial {
 /// Resultant with respect to one variable; throws std::domain_error when FLINT cannot compute it.
 [[nodiscard]] Polynomial resultant(const Polynomial& a, const Polynomial& b, int variable);
 
+/// A polynomial as a product.
 struct Factorization {
-  Rational constant;
+  Rational constant;  ///< the factor without variables
   /// Irreducible over Q, with multiplicities.
   std::vector<std::pair<Polynomial, int>> factors;
 };

@@ -14,7 +14,9 @@ namespace subdiv {
 class Rational {
  public:
   Rational() { fmpq_init(value_); }
+  /// A whole number.
   Rational(int n) : Rational(static_cast<std::int64_t>(n)) {}
+  /// A whole number.
   Rational(std::int64_t n) {
     fmpq_init(value_);
     fmpq_set_si(value_, n, 1);
@@ -89,6 +91,7 @@ class Rational {
   fmpq_t value_;
 };
 
+/// The absolute value.
 [[nodiscard]] Rational abs(Rational x);
 /// x^n for any integer n; throws std::domain_error for 0 to a negative power.
 [[nodiscard]] Rational pow(const Rational& x, long n);

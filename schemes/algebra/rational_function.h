@@ -14,8 +14,11 @@ namespace subdiv {
 class RationalFunction {
  public:
   RationalFunction();
+  /// A constant.
   RationalFunction(int n);
+  /// A constant.
   RationalFunction(const Rational& q);
+  /// A polynomial.
   RationalFunction(const Polynomial& p);
   /// The indeterminate x_i.
   static RationalFunction variable(int i);
@@ -37,12 +40,17 @@ class RationalFunction {
   friend RationalFunction operator-(RationalFunction a) { return a *= RationalFunction(-1); }
   friend bool operator==(const RationalFunction& a, const RationalFunction& b);
 
+  /// Whether it is 0.
   [[nodiscard]] bool is_zero() const;
+  /// Whether no variable occurs.
   [[nodiscard]] bool is_constant() const;
+  /// The constant's value; throws std::domain_error when the function is not constant.
   [[nodiscard]] Rational constant() const;
   /// Numerator and denominator have integer coefficients and no common factor.
   [[nodiscard]] Polynomial numerator() const;
+  /// Not 0.
   [[nodiscard]] Polynomial denominator() const;
+  /// The derivative with respect to one variable.
   [[nodiscard]] RationalFunction derivative(int variable) const;
 
   /// The value at a point of any field; a denominator that vanishes there throws std::domain_error when the
@@ -56,6 +64,7 @@ class RationalFunction {
 
   /// "(s^2 - s)/(12*s + 72)"; factored: "s*(s - 1)/(12*(s + 6))".
   [[nodiscard]] std::string to_string(std::span<const std::string> names = {}) const;
+  /// With numerator and denominator factored.
   [[nodiscard]] std::string to_factored_string(std::span<const std::string> names = {}) const;
 
  private:

@@ -11,7 +11,7 @@ namespace subdiv {
 /// A ring of inexact values (double, intervals) answers is_zero only for the value that is zero as stored.
 template <class R>
 struct RingTraits {
-  static constexpr bool exact = false;
+  static constexpr bool exact = false;  ///< whether is_zero decides
   static R from_rational(const Rational& q) { return R(q.to_double()); }
   static bool is_zero(const R& x) { return x == R(0); }
 };
@@ -23,16 +23,19 @@ struct RingTraits<Rational> {
   static bool is_zero(const Rational& x) { return x.sign() == 0; }
 };
 
+/// The image of a rational number in R.
 template <class R>
 R from_rational(const Rational& q) {
   return RingTraits<R>::from_rational(q);
 }
 
+/// p/q in R.
 template <class R>
 R fraction(long p, long q) {
   return RingTraits<R>::from_rational(Rational(p, q));
 }
 
+/// Whether a value is known to be 0.
 template <class R>
 bool is_zero(const R& x) {
   return RingTraits<R>::is_zero(x);

@@ -13,13 +13,15 @@ namespace subdiv {
 /// ball encloses f^(N-1) / (N-1)! on all of it, which is the remainder of Taylor's theorem.
 template <class R, std::size_t N>
 struct Taylor {
-  std::array<R, N> c{};
+  std::array<R, N> c{};  ///< c_0 .. c_{N-1}
 
   Taylor() : Taylor(0) {}
+  /// A constant.
   Taylor(int n) {
     c.fill(R(0));
     c[0] = R(n);
   }
+  /// A constant: no power of u.
   static Taylor constant(R value) {
     Taylor result;
     result.c[0] = std::move(value);
@@ -45,6 +47,7 @@ struct Taylor {
     add_product(product, *this, o);
     return *this = std::move(product);
   }
+  /// sum += a b.
   friend void add_product(Taylor& sum, const Taylor& a, const Taylor& b) {
     for (std::size_t j = 0; j < N; ++j) {
       if (RingTraits<R>::is_zero(a.c[j])) continue;

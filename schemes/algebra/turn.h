@@ -36,12 +36,15 @@ R cosine_of_turn(int k, int n) {
   }
 }
 
+/// In double precision.
 template <>
 inline double cosine_of_turn<double>(int k, int n) {
   return std::cos(2 * std::numbers::pi * k / n);
 }
+/// Exact.
 template <>
 Algebraic cosine_of_turn<Algebraic>(int k, int n);
+/// At the default precision.
 template <>
 Interval cosine_of_turn<Interval>(int k, int n);
 

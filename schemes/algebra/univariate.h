@@ -18,6 +18,7 @@ namespace subdiv {
 class UnivariatePolynomial {
  public:
   UnivariatePolynomial() { fmpq_poly_init(value_); }
+  /// A constant.
   UnivariatePolynomial(int n) : UnivariatePolynomial(Rational(n)) {}
   UnivariatePolynomial(const Rational& q) : UnivariatePolynomial() { fmpq_poly_set_fmpq(value_, q.raw()); }
   /// Coefficients of x^0, x^1, ...
@@ -73,10 +74,15 @@ class UnivariatePolynomial {
   [[nodiscard]] bool is_zero() const { return fmpq_poly_is_zero(value_) != 0; }
   /// -1 for the zero polynomial.
   [[nodiscard]] long degree() const { return fmpq_poly_degree(value_); }
+  /// Of x^i; 0 beyond the degree.
   [[nodiscard]] Rational coefficient(long i) const;
+  /// The derivative.
   [[nodiscard]] UnivariatePolynomial derivative() const;
+  /// The exact value.
   [[nodiscard]] Rational evaluate(const Rational& x) const;
+  /// Encloses the values at all points of x.
   [[nodiscard]] Interval evaluate(const Interval& x) const;
+  /// With a name for the variable: "1/2*s^2 - 3*s + 1".
   [[nodiscard]] std::string to_string(const std::string& name) const;
 
   [[nodiscard]] const fmpq_poly_struct* raw() const { return value_; }
@@ -86,6 +92,7 @@ class UnivariatePolynomial {
   fmpq_poly_t value_;
 };
 
+/// The monic greatest common divisor; 0 when both are 0.
 [[nodiscard]] UnivariatePolynomial gcd(const UnivariatePolynomial& a, const UnivariatePolynomial& b);
 /// Quotient and remainder; division by zero throws std::domain_error.
 [[nodiscard]] std::pair<UnivariatePolynomial, UnivariatePolynomial> divide(const UnivariatePolynomial& a,
@@ -93,9 +100,10 @@ class UnivariatePolynomial {
 /// Irreducible factors over Q with multiplicities, constants left out; p not zero.
 [[nodiscard]] std::vector<std::pair<UnivariatePolynomial, int>> factor(const UnivariatePolynomial& p);
 
+/// A real root.
 struct RealRoot {
-  Algebraic value;
-  int multiplicity;
+  Algebraic value;   ///< the root
+  int multiplicity;  ///< at least 1
 };
 /// All real roots, ascending, exact; p not zero.
 [[nodiscard]] std::vector<RealRoot> real_roots(const UnivariatePolynomial& p);
@@ -104,10 +112,11 @@ struct RealRoot {
 /// Enclosures of all complex roots with multiplicity: (real part, imaginary part) at the given precision;
 /// exactly real roots have the imaginary part exactly 0.
 struct ComplexRoot {
-  Interval real;
-  Interval imaginary;
-  int multiplicity;
+  Interval real;       ///< the real part
+  Interval imaginary;  ///< the imaginary part
+  int multiplicity;    ///< at least 1
 };
+/// All of them.
 [[nodiscard]] std::vector<ComplexRoot> complex_roots(const UnivariatePolynomial& p,
                                                      long precision = Interval::default_precision);
 

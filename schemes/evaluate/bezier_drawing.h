@@ -13,10 +13,11 @@ void require_drawable(const std::vector<BezierCurve>& curves);
 
 /// A polyline near a chain of curves.
 struct BezierPolyline {
-  std::vector<std::vector<double>> coordinates;  // as in BezierCurve
-  std::size_t segments = 0;
-  int deepest = 0;   // the largest number of halvings that led to a segment
-  double bound = 0;  // the Hausdorff distance from each curve to its part is at most this, rounding included
+  std::vector<std::vector<double>> coordinates;  ///< as in BezierCurve
+  std::size_t segments = 0;                      ///< of the polyline
+  int deepest = 0;                               ///< the largest number of halvings that led to a segment
+  double bound =
+      0;  ///< the Hausdorff distance from each curve to its part is at most this, rounding included
 };
 
 /// Chords of parts, each halved until the bound is at most the tolerance: the polyline's corners lie on the

@@ -68,8 +68,14 @@ inline std::array<double, 3> cubic_point(const std::array<double, 4>& weights,
 
 /// Of a patch at (i, j) = (u, v), both in [0, 1]: the point and its derivatives.
 struct PatchJet {
-  std::array<double, 3> point{}, u{}, v{}, uu{}, uv{}, vv{};
+  std::array<double, 3> point{};  ///< the place in space
+  std::array<double, 3> u{};      ///< the derivative with respect to u
+  std::array<double, 3> v{};      ///< with respect to v
+  std::array<double, 3> uu{};     ///< the second derivatives
+  std::array<double, 3> uv{};     ///< likewise
+  std::array<double, 3> vv{};     ///< likewise
 };
+/// By Bernstein polynomials and their derivatives.
 inline PatchJet patch_jet(const BezierPatch<std::array<double, 3>>& patch, double u, double v) {
   // Bernstein polynomials of degree 3 and their derivatives.
   const auto basis = [](double t) {

@@ -23,9 +23,9 @@ inline constexpr std::size_t line_values = cache_line / sizeof(T);
 /// T_{o i} = S_{i - B o}, S the symbol of those steps. Six points a block for J_s, whatever d >= 2.
 template <class T>
 struct BlockTable {
-  std::size_t outputs = 1;  // B
-  IndexWindow window;       // o
-  IndexWindow support;      // powers of S: P'_n depends on P_j only if n - B j lies here
+  std::size_t outputs = 1;  ///< B
+  IndexWindow window;       ///< o
+  IndexWindow support;      ///< powers of S: P'_n depends on P_j only if n - B j lies here
   /// T_{o i} cache line by cache line of outputs, the last one padded by zeros; within a line by o, then by
   /// i.
   AlignedVector<T> weights;
@@ -78,9 +78,9 @@ BlockTable<T> block_table(const Scheme<R>& scheme, int step, int count) {
 /// All steps down to a depth as tables, each applied to the points of the one before.
 template <class T>
 struct BlockStages {
-  int arity = 2;
-  int depth = 0;
-  std::vector<BlockTable<T>> tables;  // at least one: no step at all is the table 1
+  int arity = 2;                      ///< m
+  int depth = 0;                      ///< all steps together
+  std::vector<BlockTable<T>> tables;  ///< at least one: no step at all is the table 1
 
   /// The footprint of the tables.
   [[nodiscard]] std::size_t bytes() const {
@@ -93,6 +93,7 @@ struct BlockStages {
 /// The last table makes nearly all points: it is to fit the fastest cache beside its points (2^6 x 6 doubles
 /// for J_s: 3 KiB). Those before it may be larger.
 inline constexpr std::size_t last_table_outputs = 64;
+/// Of the tables before the last one.
 inline constexpr std::size_t inner_table_outputs = 256;
 
 /// Throws std::invalid_argument for a negative depth, std::overflow_error when arity^depth is beyond 2^62.

@@ -17,11 +17,12 @@ namespace subdiv {
 /// surface is a torus, in one a cylinder, in none a disk.
 template <class Point>
 struct ControlGrid {
-  Topology rows;                             // how the rows follow each other
-  std::vector<ControlPolygon<Point>> lines;  // the rows, element i in slot i, all of the same topology
+  Topology rows;                             ///< how the rows follow each other
+  std::vector<ControlPolygon<Point>> lines;  ///< the rows, element i in slot i, all of the same topology
 
   /// How the points of each row follow each other.
   [[nodiscard]] Topology columns() const { return lines.empty() ? Topology{} : lines.front().topology; }
+  /// The point in a row and a column, both from 0, added ones included.
   [[nodiscard]] const Point& at(long long row, long long column) const {
     return lines[rows.slot(row)].at(column);
   }
@@ -71,8 +72,8 @@ ControlGrid<Point> transposed(const ControlGrid<Point>& grid) {
 /// How often and by which scheme one direction of a grid is refined.
 template <class R>
 struct Refinement {
-  Scheme<R> scheme;
-  int depth = 0;
+  Scheme<R> scheme;  ///< with which
+  int depth = 0;     ///< how many steps
 };
 
 /// The tensor product, level by level: all rows are refined by `along`, then all columns of the result by

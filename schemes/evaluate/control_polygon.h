@@ -13,10 +13,10 @@ namespace subdiv {
 /// points ahead of point 0 and `after` points behind its last one, which carry the ends of the curve but bear
 /// no span (js-report 11): t runs over [0, points - before - after - 1].
 struct Topology {
-  std::size_t points = 0;  // all of them, those added at the ends included
-  bool closed = true;
-  std::size_t before = 0;
-  std::size_t after = 0;
+  std::size_t points = 0;  ///< all of them, those added at the ends included
+  bool closed = true;      ///< whether the last point is followed by the first
+  std::size_t before = 0;  ///< added ahead of point 0; 0 when closed
+  std::size_t after = 0;   ///< added behind the last point; 0 when closed
 
   /// Unit intervals of t that the curve runs over; 0 for an empty polygon or a single open point.
   [[nodiscard]] std::size_t spans() const {
@@ -42,12 +42,13 @@ struct Topology {
 /// A polygon of points of any kind: numbers, or vectors with + and multiplication by a scalar from the left.
 template <class Point>
 struct ControlPolygon {
-  Topology topology;
-  std::vector<Point> points;
+  Topology topology;          ///< how they follow each other
+  std::vector<Point> points;  ///< added ones included, in order
 
   [[nodiscard]] const Point& at(long long i) const { return points[topology.slot(i)]; }
 };
 
+/// A closed polygon of these points, point 0 first.
 template <class Point>
 ControlPolygon<Point> closed_polygon(std::vector<Point> points) {
   const std::size_t n = points.size();
@@ -65,8 +66,8 @@ ControlPolygon<Point> open_polygon(std::vector<Point> points, std::size_t before
 /// coordinates[c][topology.slot(i)].
 template <class T>
 struct CoordinateArrays {
-  Topology topology;
-  std::vector<std::vector<T>> coordinates;
+  Topology topology;                        ///< how they follow each other
+  std::vector<std::vector<T>> coordinates;  ///< an array for each coordinate
 };
 
 /// m^depth. Throws std::overflow_error beyond 2^62.

@@ -18,9 +18,9 @@ namespace subdiv {
 /// Consecutive points of a curve: coordinate c of point first + k is coordinates[c][k], 0 <= k < count.
 template <class T>
 struct CurveBlock {
-  std::size_t first = 0;
-  std::size_t count = 0;
-  std::span<const T* const> coordinates;
+  std::size_t first = 0;                  ///< index of the first point
+  std::size_t count = 0;                  ///< the number of points
+  std::span<const T* const> coordinates;  ///< an array for each coordinate
 };
 
 template <class T>
@@ -72,9 +72,10 @@ class BlockStream {
 /// leaves them to others; `chosen` takes it from 16 MiB on.
 enum class Stores { chosen, cached, past_caches };
 
+/// How a whole curve is written; it changes no bit of it.
 struct WriteOptions {
-  int threads = 1;
-  Stores stores = Stores::chosen;
+  int threads = 1;                 ///< at least 1
+  Stores stores = Stores::chosen;  ///< which stores
 };
 
 /// A refined curve that is evaluated by blocks. T is double or float; any number of coordinates.

@@ -17,9 +17,9 @@ namespace subdiv {
 /// the next step is taken. Level 0 is the control polygon.
 template <class Point>
 struct Detail {
-  int level = 0;
-  long long index = 0;
-  Point displacement;
+  int level = 0;        ///< from 0, the control polygon
+  long long index = 0;  ///< of the point at that level
+  Point displacement;   ///< what is added to it
 };
 
 /// Details in the order in which evaluation meets them, by level and index. Several at the same place add up.
@@ -27,6 +27,7 @@ template <class Point>
 class Details {
  public:
   Details() = default;
+  /// In any order: they are sorted.
   explicit Details(std::vector<Detail<Point>> details) : details_(std::move(details)) {
     std::stable_sort(details_.begin(), details_.end(), precedes);
   }

@@ -17,13 +17,17 @@ namespace subdiv {
 /// costs more than the arithmetic that fills it).
 template <class T>
 struct FreshAllocator {
+  /// What allocators name their elements' type.
   using value_type = T;
+  /// 2 MiB: memory of this size on is aligned to it.
   static constexpr std::size_t large_page = std::size_t{1} << 21U;
 
   FreshAllocator() = default;
+  /// From one of other elements: allocators have no state.
   template <class U>
   FreshAllocator(const FreshAllocator<U>& /*other*/) {}
 
+  /// Memory for n elements; throws std::bad_alloc.
   T* allocate(std::size_t n) {
     const std::size_t bytes = n * sizeof(T);
     void* const memory = ::operator new(bytes, alignment(bytes));
@@ -33,12 +37,15 @@ struct FreshAllocator {
 #endif
     return static_cast<T*>(memory);
   }
+  /// Gives memory for n elements back.
   void deallocate(T* p, std::size_t n) { ::operator delete(p, alignment(n * sizeof(T))); }
 
+  /// Leaves an element of a trivial type as it is.
   template <class U>
   void construct(U* p) {
     ::new (static_cast<void*>(p)) U;
   }
+  /// Constructs an element from arguments.
   template <class U, class... Arguments>
   void construct(U* p, Arguments&&... arguments) {
     std::construct_at(p, std::forward<Arguments>(arguments)...);

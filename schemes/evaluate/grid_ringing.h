@@ -19,12 +19,13 @@ namespace subdiv {
 
 /// The refined vertices and quads of a grid in both directions.
 struct SurfaceSize {
-  std::size_t along = 0;   // transversal curves
-  std::size_t across = 0;  // points of each of them
-  std::size_t strips = 0;  // between consecutive curves
-  std::size_t quads = 0;   // of each strip
+  std::size_t along = 0;   ///< transversal curves
+  std::size_t across = 0;  ///< points of each of them
+  std::size_t strips = 0;  ///< between consecutive curves
+  std::size_t quads = 0;   ///< of each strip
 
   [[nodiscard]] std::size_t vertex(std::size_t t, std::size_t v) const {
+    /// The number of the vertex in row t and column v, both from 0.
     return (t == along ? 0 : t) * across + (v == across ? 0 : v);
   }
   /// The quad between the curves t, t + 1 and their points v, v + 1, around.
@@ -53,21 +54,21 @@ SurfaceSize surface_size(const ControlGrid<Point>& grid, const Refinement<R>& al
 /// them over.
 template <class Point>
 struct Quad {
-  std::array<std::size_t, 4> vertices;
-  std::array<const Point*, 4> corners;
+  std::array<std::size_t, 4> vertices;  ///< numbers, from 0
+  std::array<const Point*, 4> corners;  ///< the points
 };
 
 /// What an evaluation kept and computed, as counted on the rings that it ran.
 struct SurfaceWork {
-  std::size_t motion_rings = 0;            // rings a level, of trajectories
-  std::size_t display_rings = 0;           // and of transversal curves, at the same time
-  std::size_t motion_points_a_level = 0;   // of all motion rings together
-  std::size_t display_points_a_level = 0;  // of all display rings together
-  std::size_t control_points = 0;          // of transversal control polygons, held beside the rings
-  std::size_t curve_points = 0;            // of refined transversal curves, held beside the rings
-  std::size_t curves = 0;                  // evaluations of a transversal curve
-  std::size_t computed_along = 0;          // points computed by motion rings, all levels below the controls
-  std::size_t computed_across = 0;         // and by display rings
+  std::size_t motion_rings = 0;            ///< rings a level, of trajectories
+  std::size_t display_rings = 0;           ///< and of transversal curves, at the same time
+  std::size_t motion_points_a_level = 0;   ///< of all motion rings together
+  std::size_t display_points_a_level = 0;  ///< of all display rings together
+  std::size_t control_points = 0;          ///< of transversal control polygons, held beside the rings
+  std::size_t curve_points = 0;            ///< of refined transversal curves, held beside the rings
+  std::size_t curves = 0;                  ///< evaluations of a transversal curve
+  std::size_t computed_along = 0;          ///< points computed by motion rings, all levels below the controls
+  std::size_t computed_across = 0;         ///< and by display rings
 
   /// 5 (n + 2) for n rows, J_{a,b} and two display rings.
   [[nodiscard]] std::size_t points_a_level() const { return motion_points_a_level + display_points_a_level; }

@@ -13,11 +13,11 @@ namespace subdiv {
 /// Points and faces of one number of corners, ready to be written or drawn: face f has the corners
 /// corners[sides f] .. corners[sides f + sides - 1], counter-clockwise.
 struct IndexedMesh {
-  int sides = 4;
-  FreshVector<Point3> points;
+  int sides = 4;               ///< of every face
+  FreshVector<Point3> points;  ///< the vertices
   /// Of each point a unit vector, or 0 where there is none; empty when normals were not asked for.
   FreshVector<Point3> normals;
-  FreshVector<int> corners;
+  FreshVector<int> corners;  ///< vertices, from 0
 
   [[nodiscard]] std::size_t faces() const { return corners.size() / static_cast<std::size_t>(sides); }
 };

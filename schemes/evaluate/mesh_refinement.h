@@ -13,28 +13,31 @@
 
 namespace subdiv {
 
+/// A point in space.
 using Point3 = std::array<double, 3>;
 
 /// Points as combinations of other points, row by row.
 struct StencilRows {
-  std::vector<std::size_t> begin{0};  // of each row, and the end
-  std::vector<int> vertices;
-  std::vector<double> weights;
+  std::vector<std::size_t> begin{0};  ///< of each row, and the end
+  std::vector<int> vertices;          ///< of all rows, one row after the other
+  std::vector<double> weights;        ///< of the vertices, in the same order
 
   [[nodiscard]] std::size_t size() const { return begin.size() - 1; }
+  /// Adds a row.
   void add(const Stencil<double>& stencil);
+  /// The combination that a row says.
   [[nodiscard]] Point3 point(std::size_t row, std::span<const Point3> points) const;
 };
 
 /// Several steps at once, face by face of a mesh whose irregular vertices are isolated: few kinds of
 /// neighbourhoods, a table for each.
 struct PatchStage {
-  MeshTopology mesh;  // whose faces are refined; controls may lie beyond its border
-  PatchGrid grid;
-  std::vector<PatchTable> tables;
-  std::vector<int> table_of_face;
-  std::vector<int> controls;                   // of each face, the vertices that its table combines
-  std::vector<std::size_t> controls_begin{0};  // of each face, and the end
+  MeshTopology mesh;               ///< whose faces are refined; controls may lie beyond its border
+  PatchGrid grid;                  ///< the points of one face
+  std::vector<PatchTable> tables;  ///< one for each kind of neighbourhood
+  std::vector<int> table_of_face;  ///< which of the tables
+  std::vector<int> controls;       ///< of each face, the vertices that its table combines
+  std::vector<std::size_t> controls_begin{0};  ///< of each face, and the end
 };
 
 /// Which number a vertex or corner of the refined mesh has: vertices of the coarse mesh keep theirs; then
@@ -43,9 +46,13 @@ struct PatchStage {
 /// PatchGrid.
 class PatchNumbering {
  public:
+  /// For a mesh and a grid, both of which must outlive it.
   PatchNumbering(const MeshTopology& mesh, const PatchGrid& grid) : mesh_(&mesh), grid_(&grid) {}
+  /// Of the refined mesh.
   [[nodiscard]] std::size_t vertices() const;
+  /// Of the refined mesh.
   [[nodiscard]] std::size_t faces() const;
+  /// The number of the first point inside a face.
   [[nodiscard]] int first_inner(int face) const;
   /// The first point inside the edge of h, in the edge's direction.
   [[nodiscard]] int first_on_edge(int h) const;
@@ -55,6 +62,7 @@ class PatchNumbering {
   [[nodiscard]] bool owns_origin(int h) const { return mesh_->outgoing(mesh_->origin(h)) == h; }
   /// The corners of all small faces, and the opposite of each of their half-edges.
   void corners(std::span<int> out, int threads) const;
+  /// The opposite of every half-edge of the refined mesh; -1 at the border.
   void opposites(std::span<int> out, int threads) const;
 
  private:
@@ -74,7 +82,9 @@ class MeshRefinement {
                  const FinalRule& final_rule = {});
 
   [[nodiscard]] std::size_t control_vertices() const { return control_vertices_; }
+  /// Of the refined mesh.
   [[nodiscard]] std::size_t vertices() const;
+  /// Of the refined mesh.
   [[nodiscard]] std::size_t faces() const;
   /// The number of corners of every face; 0 where they differ, which only the control mesh itself can have.
   [[nodiscard]] int sides() const { return sides_; }

@@ -13,8 +13,8 @@ namespace subdiv {
 /// The surface rings around one vertex and what they leave open: n tensor borders, one a sector.
 template <class P>
 struct NestedRings {
-  std::vector<std::vector<RingSector<P>>> rings;  // outermost first, sector by sector
-  std::vector<BezierPatch<P>> hole;               // without (3, 3), which is P{}
+  std::vector<std::vector<RingSector<P>>> rings;  ///< outermost first, sector by sector
+  std::vector<BezierPatch<P>> hole;               ///< without (3, 3), which is P{}
 };
 
 /// The tensor borders of all sectors. Neighbours share the points of their common spoke, also where R rounds.

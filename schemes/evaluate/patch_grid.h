@@ -14,9 +14,9 @@ namespace subdiv {
 /// side 0, then side 1, .., each from its first corner to its second (side q runs from corner q to the next);
 /// the corners. Small faces are numbered row by row, a triangle's upward and downward ones in turn.
 struct PatchGrid {
-  int sides = 4;
-  int steps = 1;  // N
-  std::vector<std::array<int, 2>> points;
+  int sides = 4;                           ///< of the face: 3 or 4
+  int steps = 1;                           ///< N
+  std::vector<std::array<int, 2>> points;  ///< places in the grid, in the order of their numbers
   /// Of each small face its corners' point numbers, counter-clockwise, `sides` of them; for quads and upward
   /// triangles the first half-edge runs from grid point (a, b) to (a + 1, b).
   std::vector<int> cells;
@@ -25,6 +25,7 @@ struct PatchGrid {
   /// The small half-edge on side q at step t, counted from the side's first corner: side_half_edges[q N + t].
   std::vector<int> side_half_edges;
 
+  /// The number of points that lie on no side.
   [[nodiscard]] int inner_points() const {
     return sides == 4 ? (steps - 1) * (steps - 1) : (steps - 1) * (steps - 2) / 2;
   }

@@ -17,11 +17,13 @@ namespace subdiv {
 struct PatchTable {
   /// Places of the control points in Neighbourhood::vertices.
   std::vector<int> controls;
-  std::size_t points = 0;
+  std::size_t points = 0;  ///< that the table makes
   /// Lines of patch_line points, the last one padded by zeros: within a line by k, then by p.
   AlignedVector<double> weights;
 
+  /// The number of lines: points divided by patch_line, rounded up.
   [[nodiscard]] std::size_t lines() const;
+  /// The weight of control point k in point p.
   [[nodiscard]] double weight(std::size_t k, std::size_t p) const;
 };
 
@@ -35,6 +37,7 @@ using FinalRule = std::function<std::function<Stencil<double>(int vertex)>(const
 /// The neighbourhood, regular as far as `sight` sees, of a face, and its table: found by a fixed walk.
 class RegularPatch {
  public:
+  /// For a scheme, the points wanted of a face, and what is done to them at last.
   RegularPatch(const MeshScheme<double>& scheme, const PatchGrid& grid, const FinalRule& final_rule = {});
   [[nodiscard]] const PatchTable& table() const { return table_; }
   /// The vertices that the table combines for this face, appended; nothing and false where one of the

@@ -13,8 +13,8 @@ namespace subdiv {
 /// P_{q + first + k}; at least one weight, which may be 0.
 template <class R>
 struct RefinementRule {
-  int first = 0;
-  std::vector<R> weights;
+  int first = 0;           ///< the offset of the first control point
+  std::vector<R> weights;  ///< at least one
 
   [[nodiscard]] int last() const { return first + static_cast<int>(weights.size()) - 1; }
 };

@@ -75,10 +75,14 @@ class Ringing {
   /// One pass over the points that remain: for (const Point& p : ringing).
   class Iterator {
    public:
+    /// What iterators name their elements' type.
     using value_type = Point;
+    /// What iterators name their distances.
     using difference_type = std::ptrdiff_t;
+    /// One pass only.
     using iterator_concept = std::input_iterator_tag;
 
+    /// At the next point of the rings.
     explicit Iterator(Ringing& rings) : rings_(&rings) {}
     const Point& operator*() const { return rings_->point(); }
     Iterator& operator++() {

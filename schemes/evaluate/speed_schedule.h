@@ -13,8 +13,8 @@ namespace subdiv {
 /// How far coordinates may be off in double: `relative` times the greatest coordinate of the net, and `tiny`
 /// times the least positive double, by which products near 0 are rounded whatever their size.
 struct RoundingBound {
-  double relative = 0;
-  double tiny = 0;
+  double relative = 0;  ///< times the greatest coordinate
+  double tiny = 0;      ///< times the least positive double
 
   /// Rounded up.
   [[nodiscard]] double of(double greatest) const;

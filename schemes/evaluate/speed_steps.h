@@ -13,8 +13,8 @@ namespace subdiv {
 /// A step among others: the net goes over to the knots of the step's speed, then it is refined.
 template <class R>
 struct SpeedStep {
-  std::vector<SectorStencil<R>> change;  // none where the net has these knots already
-  RingRules<R> rules;
+  std::vector<SectorStencil<R>> change;  ///< none where the net has these knots already
+  RingRules<R> rules;                    ///< of the refinement that follows
 };
 
 /// Steps of these speeds, 0 < sigma < 1, one after the other, from a net over uniform knots.

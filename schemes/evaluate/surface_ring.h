@@ -25,10 +25,11 @@ using BezierPatch = std::array<P, 16>;
 /// The rules of one speed in the ring R.
 template <class R>
 struct RingRules {
-  R sigma;
-  std::vector<SectorStencil<R>> refined;                   // at sector_places(4, 2)
-  std::array<std::optional<SectorStencil<R>>, 16> border;  // (3, 3) is none
+  R sigma;                                                 ///< the speed
+  std::vector<SectorStencil<R>> refined;                   ///< at sector_places(4, 2)
+  std::array<std::optional<SectorStencil<R>>, 16> border;  ///< (3, 3) is none
 };
+/// The rules of a speed 0 < sigma < 1.
 template <class R>
 RingRules<R> ring_rules(const R& sigma) {
   std::vector<SectorStencil<R>> refined = refined_places(sigma);
@@ -81,9 +82,9 @@ auto border_points(const Net& net, const RingRules<R>& rules, int sector) {
 /// next one: the corner, the one at the next spoke, the one at the first spoke.
 template <class P>
 struct RingSector {
-  BezierPatch<P> corner;
-  BezierPatch<P> next_side;
-  BezierPatch<P> first_side;
+  BezierPatch<P> corner;      ///< at the corner of the border
+  BezierPatch<P> next_side;   ///< at the next spoke
+  BezierPatch<P> first_side;  ///< at the first spoke
 };
 
 namespace detail {

@@ -16,8 +16,8 @@ namespace subdiv {
 /// its vertices; the added vertices follow, each with its stencil over the mesh's vertices.
 template <class R>
 struct BorderLayers {
-  MeshTopology mesh;
-  std::vector<Stencil<R>> added;
+  MeshTopology mesh;              ///< continued
+  std::vector<Stencil<R>> added;  ///< stencils of the added vertices
 };
 
 namespace detail {

@@ -11,6 +11,7 @@ void add_face_centroid(Stencil<R>& result, const MeshTopology& mesh, int face, c
   for (int i = 0; i < mesh.degree(face); ++i) result.add(mesh.origin(mesh.first(face) + i), share);
 }
 
+/// The mean of an edge's ends.
 template <class R>
 Stencil<R> edge_midpoint(const MeshTopology& mesh, int half_edge) {
   Stencil<R> result;

@@ -11,9 +11,9 @@ namespace subdiv {
 /// along the direction of the next one. Quads: a >= 1, 0 <= b, both up to the number of rings. Triangles:
 /// a >= 1, b >= 0, a + b up to the number of rings.
 struct FanPlace {
-  int sector = 0;
-  int a = 0;
-  int b = 0;
+  int sector = 0;  ///< from 0
+  int a = 0;       ///< along the sector's first spoke
+  int b = 0;       ///< along the next one's direction
 };
 
 /// The places of one sector, ring by ring, each ring from the spoke on. Ring r is where max(a, b) = r (quads,

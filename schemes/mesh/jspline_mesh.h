@@ -14,13 +14,14 @@ namespace subdiv {
 /// (Interpolatory subdivision on open quadrilateral nets with arbitrary topology, 1996): s = 0, g = 1/9.
 template <class R>
 struct OddRule {
+  /// For s != 9, where the denominator of g vanishes.
   explicit OddRule(const R& s)
       : inner((R(9) - s) * ratio<R>(1, 16)),
         outer((s - R(1)) * ratio<R>(1, 16)),
         diagonal((R(1) - s) / (R(9) - s)) {}
-  R inner;
-  R outer;
-  R diagonal;
+  R inner;     ///< a
+  R outer;     ///< b
+  R diagonal;  ///< g
 };
 
 /// The point that continues the line from a neighbour to the border vertex p, one step beyond p: along a

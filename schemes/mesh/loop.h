@@ -62,6 +62,7 @@ MeshScheme<R> loop_1987(const Cosine& cosine) {
   });
 }
 
+/// Loop's scheme with the weights of his thesis.
 template <class R>
 MeshScheme<R> loop_1987() {
   return loop_1987<R>([](int n) { return cosine_of_turn<R>(1, n); });

@@ -14,11 +14,11 @@ namespace subdiv {
 
 /// A named family of schemes for meshes; its parameters are real numbers.
 struct MeshFamily {
-  std::string name;
-  std::string summary;  // one line
-  std::string source;
-  std::vector<Parameter> parameters;
-  MeshSplit split = MeshSplit::quads;
+  std::string name;                    ///< as it is written
+  std::string summary;                 ///< one line
+  std::string source;                  ///< who introduced it
+  std::vector<Parameter> parameters;   ///< all real
+  MeshSplit split = MeshSplit::quads;  ///< which faces it makes
   /// Made for one extraordinary vertex and the rings of surface around it (schemes/adjustable_speed/): there
   /// are no rules for whole meshes.
   bool rings_only = false;
@@ -38,9 +38,9 @@ struct MeshFamily {
 
 /// A mesh scheme as written, before anything is evaluated.
 struct MeshSchemeDescription {
-  std::string text;  // "jspline-mesh:s=1/2"
-  const MeshFamily* family = nullptr;
-  std::vector<Argument> arguments;  // one for each parameter of the family, in its order
+  std::string text;                    ///< "jspline-mesh:s=1/2"
+  const MeshFamily* family = nullptr;  ///< that it names
+  std::vector<Argument> arguments;     ///< one for each parameter of the family, in its order
   /// Names that stand in values without a value of their own, by first appearance; free parameter i is the
   /// indeterminate x_i.
   std::vector<std::string> free_parameters;

@@ -12,8 +12,8 @@ namespace subdiv {
 
 /// How a step splits the faces.
 enum class MeshSplit {
-  quads,      // an n-gon into n quads: new points at vertices, edges and faces
-  triangles,  // a triangle into four: new points at vertices and edges
+  quads,      ///< an n-gon into n quads: new points at vertices, edges and faces
+  triangles,  ///< a triangle into four: new points at vertices and edges
 };
 
 /// A subdivision scheme for meshes of any connectivity: the split, and the stencil of each new point over the
@@ -21,8 +21,8 @@ enum class MeshSplit {
 /// analysis (analysis/mesh/) are common to all.
 template <class R>
 struct MeshScheme {
-  std::string name;
-  MeshSplit split = MeshSplit::quads;
+  std::string name;                    ///< for messages and titles
+  MeshSplit split = MeshSplit::quads;  ///< which faces it makes
   /// In regular regions the descendants of a face depend on the corners of the faces up to `reach` rings
   /// around it (1: the face and those that share a corner with it): 1 for cubic splines, 2 for J_s.
   int reach = 1;
@@ -35,9 +35,9 @@ struct MeshScheme {
   /// w = border_rules[k], P_0 on the border and P_1, P_2 on the line inwards. None when the rules treat the
   /// border themselves.
   std::vector<std::array<R, 3>> border_rules;
-  std::function<Stencil<R>(const MeshTopology&, int vertex)> vertex_rule;
-  std::function<Stencil<R>(const MeshTopology&, int half_edge)> edge_rule;
-  std::function<Stencil<R>(const MeshTopology&, int face)> face_rule;  // none for triangles
+  std::function<Stencil<R>(const MeshTopology&, int vertex)> vertex_rule;   ///< the new place of a vertex
+  std::function<Stencil<R>(const MeshTopology&, int half_edge)> edge_rule;  ///< the new point on an edge
+  std::function<Stencil<R>(const MeshTopology&, int face)> face_rule;       ///< none for triangles
 };
 
 }  // namespace subdiv

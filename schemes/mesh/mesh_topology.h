@@ -11,15 +11,18 @@ namespace subdiv {
 /// Faces as a file lists them: the numbers, from 0, of each face's corners, counter-clockwise seen from
 /// outside. Not yet known to be a surface.
 struct PolygonFaces {
-  std::size_t vertices = 0;
+  std::size_t vertices = 0;  ///< how many there are
+  /// The first corner of each face, and the end.
   std::vector<std::size_t> begin{
-      0};  // face f has the corners begin[f] .. begin[f + 1] - 1; faces + 1 numbers
-  std::vector<long long> corners;
+      0};                          // face f has the corners begin[f] .. begin[f + 1] - 1; faces + 1 numbers
+  std::vector<long long> corners;  ///< of all faces, one after the other
 
   [[nodiscard]] std::size_t faces() const { return begin.size() - 1; }
+  /// The corners of a face.
   [[nodiscard]] std::span<const long long> face(std::size_t f) const {
     return {corners.data() + begin[f], begin[f + 1] - begin[f]};
   }
+  /// Adds a face with these corners.
   void add_face(std::span<const long long> face_corners) {
     corners.insert(corners.end(), face_corners.begin(), face_corners.end());
     begin.push_back(corners.size());
@@ -28,10 +31,10 @@ struct PolygonFaces {
 
 /// Why faces are no oriented surface: the face to look at (and another that contradicts it), numbered from 0.
 struct MeshFault {
-  std::size_t face = 0;
-  std::optional<std::size_t> other_face;
-  std::string what;    // "runs from vertex 3 to vertex 7 as face 12 does"; vertices and faces count from 1
-  std::string remedy;  // "turn one of the two around"
+  std::size_t face = 0;                   ///< the one to look at
+  std::optional<std::size_t> other_face;  ///< the one that it contradicts, if any
+  std::string what;    ///< "runs from vertex 3 to vertex 7 as face 12 does"; vertices and faces count from 1
+  std::string remedy;  ///< "turn one of the two around"
 };
 
 /// The first fault, if any: a corner that is no vertex, fewer than 3 corners, a vertex twice in one face, two
@@ -53,6 +56,7 @@ class MeshTopology {
 
   [[nodiscard]] int vertices() const { return vertices_; }
   [[nodiscard]] int edges() const { return edges_; }
+  /// The number of faces.
   [[nodiscard]] int faces() const {
     return has_arrays() ? static_cast<int>(begin_.size()) - 1 : half_edges() / sides_;
   }
@@ -64,19 +68,23 @@ class MeshTopology {
   /// Does every edge belong to two faces?
   [[nodiscard]] bool is_closed() const { return closed_; }
 
+  /// The half-edge that leaves the face's first corner.
   [[nodiscard]] int first(int face) const {
     if (sides_ == quad) return quad * face;
     return sides_ == triangle ? triangle * face : begin_[static_cast<std::size_t>(face)];
   }
   [[nodiscard]] int degree(int face) const { return sides_ > 0 ? sides_ : first(face + 1) - first(face); }
+  /// The face of a half-edge.
   [[nodiscard]] int face(int h) const {
     if (sides_ == quad) return h / quad;
     return sides_ == triangle ? h / triangle : face_[static_cast<std::size_t>(h)];
   }
+  /// The next half-edge of the same face, counter-clockwise.
   [[nodiscard]] int next(int h) const {
     const int f = face(h);
     return h + 1 < first(f) + degree(f) ? h + 1 : first(f);
   }
+  /// The one before.
   [[nodiscard]] int previous(int h) const {
     const int f = face(h);
     return h > first(f) ? h - 1 : first(f) + degree(f) - 1;
@@ -99,12 +107,14 @@ class MeshTopology {
     const int o = opposite(h);
     return o < 0 ? -1 : next(o);
   }
+  /// Whether the vertex has no face, or lies on the border.
   [[nodiscard]] bool is_border(int v) const {
     const int h = outgoing(v);
     return h < 0 || opposite(h) < 0;
   }
   /// The number of edges at v, and of faces.
   [[nodiscard]] int valence(int v) const;
+  /// The number of faces at v.
   [[nodiscard]] int face_count(int v) const;
 
   [[nodiscard]] const std::vector<int>& origins() const { return origin_; }

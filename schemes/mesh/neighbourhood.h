@@ -10,21 +10,22 @@ namespace subdiv {
 /// The faces up to some rings around a face, and their vertices, in an order that depends on nothing but how
 /// they hang together: equal signatures mean neighbourhoods that map onto each other, vertex by vertex.
 struct Neighbourhood {
-  std::vector<int> vertices;  // the face's own corners first
-  std::vector<int> faces;     // the face itself first, each entered at the half-edge in `entries`
-  std::vector<int> entries;
-  std::vector<int> signature;
+  std::vector<int> vertices;   ///< the face's own corners first
+  std::vector<int> faces;      ///< the face itself first, each entered at the half-edge in `entries`
+  std::vector<int> entries;    ///< the half-edge by which each face is entered
+  std::vector<int> signature;  ///< how the faces hang together
 };
 
 /// A half-edge of a neighbourhood: the i-th face's corner c, counted from its entry.
 struct NeighbourhoodCorner {
-  std::size_t face = 0;
-  int corner = 0;
+  std::size_t face = 0;  ///< from 0, in the neighbourhood's order
+  int corner = 0;        ///< from 0, the entry
 };
 
 /// Collects neighbourhoods; what it remembers of the last one makes the next cheap. Not for several threads.
 class NeighbourhoodFinder {
  public:
+  /// For a mesh that must outlive it.
   explicit NeighbourhoodFinder(const MeshTopology& mesh);
   /// Ring 1 are the faces that share a corner with the face, ring 2 those that share one with ring 1.
   void find(int face, int rings, Neighbourhood& result);

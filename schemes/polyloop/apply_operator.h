@@ -17,9 +17,9 @@ namespace subdiv {
 /// tell old and new vertices apart go by these numbers. A closed one begins at 0.
 template <class Point>
 struct VertexChain {
-  std::vector<Point> vertices;
-  bool closed = true;
-  int first = 0;
+  std::vector<Point> vertices;  ///< in order
+  bool closed = true;           ///< whether the last is followed by the first
+  int first = 0;                ///< the number of the first vertex; 0 when closed
 
   [[nodiscard]] int size() const { return static_cast<int>(vertices.size()); }
 };

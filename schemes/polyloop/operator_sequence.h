@@ -14,17 +14,18 @@ namespace subdiv {
 
 /// An operator as written: its name and the values in its parentheses, unevaluated.
 struct OperatorCall {
+  /// The operators; family: a scheme of the catalogue, such as J(s).
   enum class Kind { refine, dual, tuck, untuck, tweak, family };
-  Kind kind = Kind::refine;
-  std::vector<Expression> values;
-  std::string text;  // "tuck(-s/8)"
+  Kind kind = Kind::refine;        ///< which of them
+  std::vector<Expression> values;  ///< one for each parameter
+  std::string text;                ///< "tuck(-s/8)"
 };
 
 /// A sequence of operators on polyloops as polyloops 2 and 3 write them.
 struct OperatorSequence {
-  std::string text;
-  std::vector<OperatorCall> calls;  // in the order of the text, each once
-  std::vector<std::size_t> order;   // numbers of calls as they follow each other, repetitions written out
+  std::string text;                 ///< as written
+  std::vector<OperatorCall> calls;  ///< in the order of the text, each once
+  std::vector<std::size_t> order;   ///< numbers of calls as they follow each other, repetitions written out
   /// Names that stand in values, by first appearance: free parameter i is the indeterminate x_i.
   std::vector<std::string> free_parameters;
 };

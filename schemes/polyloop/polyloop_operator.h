@@ -18,8 +18,8 @@ namespace subdiv {
 /// the period.
 template <class R>
 struct PolyloopOperator {
-  int period = 1;
-  std::vector<Laurent<R>> rows;
+  int period = 1;                ///< of the vertices that are treated alike
+  std::vector<Laurent<R>> rows;  ///< one for each vertex made from a period
   /// Whether vertex i of the result is vertex i of the polyloop, moved: then rules that reach beyond the ends
   /// of an open one can leave it in its place.
   bool moves_vertices = false;
