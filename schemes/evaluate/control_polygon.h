@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -70,9 +71,9 @@ struct CoordinateArrays {
   std::vector<std::vector<T>> coordinates;  ///< an array for each coordinate
 };
 
-/// m^depth. Throws std::overflow_error beyond 2^62.
+/// m^depth. Throws std::overflow_error beyond a quarter of what std::size_t holds (2^62).
 [[nodiscard]] inline std::size_t refined_spacing(int arity, int depth) {
-  constexpr std::size_t most = std::size_t{1} << 62U;
+  constexpr std::size_t most = std::size_t{1} << (std::numeric_limits<std::size_t>::digits - 2);
   std::size_t power = 1;
   for (int k = 0; k < depth; ++k) {
     if (power > most / static_cast<std::size_t>(arity))
@@ -84,9 +85,9 @@ struct CoordinateArrays {
 
 /// How many points the curve has after `depth` steps: indices 0, 1, .. at parameters i / m^depth; one for
 /// each 1 / m^depth of a closed curve, one more for an open one (none for an empty polygon). Throws
-/// std::overflow_error beyond 2^62.
+/// std::overflow_error beyond a quarter of what std::size_t holds (2^62).
 [[nodiscard]] inline std::size_t refined_points(const Topology& topology, int arity, int depth) {
-  constexpr std::size_t most = std::size_t{1} << 62U;
+  constexpr std::size_t most = std::size_t{1} << (std::numeric_limits<std::size_t>::digits - 2);
   if (topology.points == 0) return 0;
   const std::size_t spacing = refined_spacing(arity, depth);
   if (topology.spans() > most / spacing)

@@ -43,7 +43,8 @@ class Details {
                                             [&](const auto& d) { return d.level < level; });
     const auto end =
         std::partition_point(begin, details_.end(), [&](const auto& d) { return d.level == level; });
-    return {begin, end};
+    return all().subspan(static_cast<std::size_t>(begin - details_.begin()),
+                         static_cast<std::size_t>(end - begin));
   }
 
   /// Moves a point of a level by the details that stand at its index.
