@@ -31,6 +31,10 @@ int check(const CheckOptions& options) {
   }
   auto differences = compare(options.against, committed, outcomes,
                              [&](const std::string& id) { return means(options, id); });
+  if (selection.everything) {
+    for (std::string& difference : page_differences(options.against, experiments(), committed))
+      differences.push_back(std::move(difference));
+  }
   for (const Outcome& outcome : outcomes) {
     if (outcome.broke())
       differences.push_back("experiment '" + outcome.experiment->name + "' broke: " + outcome.error);

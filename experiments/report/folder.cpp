@@ -9,7 +9,7 @@
 #include "experiments/report/csv.h"
 #include "experiments/report/files.h"
 #include "experiments/report/gnuplot.h"
-#include "experiments/report/markdown.h"
+#include "experiments/report/pages.h"
 #include "schemes/input_error.h"
 
 namespace subdiv {
@@ -86,12 +86,33 @@ std::vector<FileEntry> series_of(const Outcome& outcome) {
   return entries;
 }
 
+/// Axes and curves in words, for those who do not see the figure.
+std::string shown_by(const Figure& figure) {
+  std::string text;
+  if (!figure.x_label.empty()) text += "Horizontal axis: " + figure.x_label + ". ";
+  if (!figure.y_label.empty()) text += "Vertical axis: " + figure.y_label + ". ";
+  std::string curves;
+  for (const Curve& curve : figure.curves) {
+    if (!curve.label.empty()) curves += (curves.empty() ? "Curves: " : "; ") + curve.label;
+  }
+  if (!curves.empty()) return text + curves + ".";
+  if (!text.empty()) text.pop_back();
+  return text;
+}
+
 std::vector<FileEntry> figures_of(const Outcome& outcome) {
   std::vector<FileEntry> entries;
   for (const Figure& figure : outcome.results.figures) {
-    entries.push_back({figure.name, outcome.experiment->name, figure.title});
+    entries.push_back({figure.name, outcome.experiment->name, figure.title, shown_by(figure), figure.claims});
   }
   return entries;
+}
+
+/// The figure as an earlier run drew it; empty where there is none.
+std::string drawn_before(const fs::path& folder, const std::string& name) {
+  const fs::path path = figure_path(folder, name);
+  std::error_code ignored;
+  return fs::exists(path, ignored) ? read_file(path) : "";
 }
 
 template <class Path>
@@ -140,21 +161,29 @@ ResultsFolder merge(std::span<const Experiment> all, std::span<const Outcome> ou
                     const ResultsFolder& old, bool ran_everything) {
   return {merge_claims(all, outcomes, old.claims, ran_everything),
           {merge_entries(all, outcomes, old.manifest.series, ran_everything, series_of),
-           merge_entries(all, outcomes, old.manifest.figures, ran_everything, figures_of)}};
+           merge_entries(all, outcomes, old.manifest.figures, ran_everything, figures_of), page_names()}};
 }
 
 void write_results(const fs::path& folder, std::span<const Experiment> all, std::span<const Outcome> outcomes,
                    const ResultsFolder& old, const ResultsFolder& merged) {
   std::vector<NewFile> files;
+  std::map<std::string, std::string> drawn;
   for (const Outcome& outcome : outcomes) {
     for (const Series& series : outcome.results.series) {
       files.push_back({series_path(folder, series.name), series_to_csv(series)});
     }
     for (const Figure& figure : outcome.results.figures) {
-      files.push_back({figure_path(folder, figure.name), draw_svg(figure, outcome.results.series)});
+      drawn[figure.name] = draw_svg(figure, outcome.results.series);
+      files.push_back({figure_path(folder, figure.name), drawn[figure.name]});
     }
   }
-  files.push_back({folder / "README.md", results_page(all, merged.claims, merged.manifest)});
+  const auto picture = [&](const std::string& name) {
+    const auto found = drawn.find(name);
+    return found == drawn.end() ? drawn_before(folder, name) : found->second;
+  };
+  for (Page& page : derived_pages({all, merged.claims, &merged.manifest, picture})) {
+    files.push_back({folder / page.name, std::move(page.text)});
+  }
   files.push_back({folder / "claims.csv", claims_to_csv(merged.claims)});
   files.push_back({folder / "manifest.json", manifest_to_json(merged.manifest)});
   files.push_back({folder / "claims.json", claims_to_json(merged.claims)});
@@ -164,9 +193,28 @@ void write_results(const fs::path& folder, std::span<const Experiment> all, std:
                [&](const std::string& name) { return series_path(folder, name); });
   add_obsolete(obsolete, old.manifest.figures, merged.manifest.figures,
                [&](const std::string& name) { return figure_path(folder, name); });
-  prepare_folder(folder / "series");
-  prepare_folder(folder / "figures");
+  for (const std::string& page : old.manifest.pages) {
+    if (std::ranges::find(merged.manifest.pages, page) == merged.manifest.pages.end())
+      obsolete.push_back(folder / page);
+  }
+  for (const char* part : {"series", "figures", "report"}) prepare_folder(folder / part);
   write_files(files, obsolete);
+}
+
+std::vector<std::string> page_differences(const fs::path& folder, std::span<const Experiment> all,
+                                          const ResultsFolder& committed) {
+  std::vector<std::string> result;
+  const auto picture = [&](const std::string& name) { return drawn_before(folder, name); };
+  for (const Page& page : derived_pages({all, committed.claims, &committed.manifest, picture})) {
+    const fs::path path = folder / page.name;
+    std::error_code ignored;
+    if (!fs::exists(path, ignored)) {
+      result.push_back(path.string() + ": is missing");
+    } else if (read_file(path) != page.text) {
+      result.push_back(path.string() + ": is not what follows from the claims and figures of the folder");
+    }
+  }
+  return result;
 }
 
 }  // namespace subdiv

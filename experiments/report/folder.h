@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "experiments/report/json.h"
@@ -10,8 +11,8 @@
 
 namespace subdiv {
 
-/// A results folder as it stands on disk: claims.json and manifest.json (README.md and claims.csv are derived
-/// from them).
+/// A results folder as it stands on disk: claims.json and manifest.json (README.md, report/ and claims.csv
+/// are derived from them).
 struct ResultsFolder {
   std::vector<ClaimRecord> claims;
   Manifest manifest;
@@ -30,11 +31,17 @@ struct ResultsFolder {
 [[nodiscard]] ResultsFolder merge(std::span<const Experiment> all, std::span<const Outcome> outcomes,
                                   const ResultsFolder& old, bool ran_everything);
 
-/// Draws the figures of the outcomes and writes the folder: series, figures, README.md, claims.csv,
-/// manifest.json and last claims.json, each whole; files that `old` lists and `merged` does not are removed.
-/// Nothing changes when drawing or writing fails (InputError, std::runtime_error).
+/// Draws the figures of the outcomes and writes the folder: series, figures, the derived pages (README.md,
+/// report/), claims.csv, manifest.json and last claims.json, each whole; files that `old` lists and `merged`
+/// does not are removed. Nothing changes when drawing or writing fails (InputError, std::runtime_error).
 void write_results(const std::filesystem::path& folder, std::span<const Experiment> all,
                    std::span<const Outcome> outcomes, const ResultsFolder& old, const ResultsFolder& merged);
+
+/// What is wrong with the derived pages of a folder: those that are missing or are not what its claims,
+/// manifest and figures give.
+[[nodiscard]] std::vector<std::string> page_differences(const std::filesystem::path& folder,
+                                                        std::span<const Experiment> all,
+                                                        const ResultsFolder& committed);
 
 [[nodiscard]] std::filesystem::path series_path(const std::filesystem::path& folder, const std::string& name);
 [[nodiscard]] std::filesystem::path figure_path(const std::filesystem::path& folder, const std::string& name);

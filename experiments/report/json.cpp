@@ -73,6 +73,16 @@ class Object {
     if (!value.is_array()) reject(key, "must be an array [...]");
     return value;
   }
+  /// The strings of an array; none where the key is missing.
+  [[nodiscard]] std::vector<std::string> optional_texts(const char* key) const {
+    std::vector<std::string> result;
+    if (!json_.contains(key)) return result;
+    for (const Json& value : array(key)) {
+      if (!value.is_string()) reject(key, "must hold strings");
+      result.push_back(value.get<std::string>());
+    }
+    return result;
+  }
   [[nodiscard]] Object object(const char* key) const { return {member(key), place_ + ", key '" + key + "'"}; }
   [[noreturn]] void reject(const char* key, const std::string& what) const {
     throw InputError(place_ + ": key '" + key + "' " + what + remedy);
@@ -156,6 +166,8 @@ Json entries_to_json(std::span<const FileEntry> entries) {
   for (const FileEntry& entry : entries) {
     Json item = {{"name", entry.name}, {"experiment", entry.experiment}};
     if (!entry.title.empty()) item["title"] = entry.title;
+    if (!entry.shows.empty()) item["shows"] = entry.shows;
+    if (!entry.claims.empty()) item["claims"] = entry.claims;
     result.push_back(std::move(item));
   }
   return result;
@@ -167,7 +179,8 @@ std::vector<FileEntry> entries_from_json(const Json& entries, const std::string&
     const Object entry(item, place + ", entry " + std::to_string(result.size() + 1));
     const std::string name = entry.text("name");
     if (!is_file_name(name)) entry.reject("name", "must be letters, digits, '-', '_' and '.'");
-    result.push_back({name, entry.text("experiment"), entry.optional_text("title").value_or("")});
+    result.push_back({name, entry.text("experiment"), entry.optional_text("title").value_or(""),
+                      entry.optional_text("shows").value_or(""), entry.optional_texts("claims")});
   }
   return result;
 }
@@ -208,6 +221,7 @@ std::string manifest_to_json(const Manifest& manifest) {
   Json root = Json::object();
   root["series"] = entries_to_json(manifest.series);
   root["figures"] = entries_to_json(manifest.figures);
+  if (!manifest.pages.empty()) root["pages"] = manifest.pages;
   return root.dump(2) + "\n";
 }
 
@@ -215,7 +229,7 @@ Manifest manifest_from_json(const std::string& text, const std::string& file) {
   const Json json = parse(text, file);
   const Object root(json, file);
   return {entries_from_json(root.array("series"), file + ": series"),
-          entries_from_json(root.array("figures"), file + ": figures")};
+          entries_from_json(root.array("figures"), file + ": figures"), root.optional_texts("pages")};
 }
 
 }  // namespace subdiv

@@ -13,13 +13,16 @@ namespace subdiv {
 struct FileEntry {
   std::string name;
   std::string experiment;
-  std::string title;  // of a figure; empty for a series
+  std::string title;                     // of a figure, as all below; empty for a series
+  std::string shows = {};                // its axes and curves in words
+  std::vector<std::string> claims = {};  // the claims that it shows, as in Figure
 
   friend bool operator==(const FileEntry&, const FileEntry&) = default;
 };
 struct Manifest {
   std::vector<FileEntry> series;
   std::vector<FileEntry> figures;
+  std::vector<std::string> pages = {};  // what is derived from the rest: "README.md", "report/index.html"
 };
 
 /// Names of series and figures become file names: letters, digits, '-', '_' and '.', no '.' in front.

@@ -6,6 +6,7 @@
 #include "experiments/report/csv.h"
 #include "experiments/report/files.h"
 #include "experiments/report/markdown.h"
+#include "experiments/report/pages.h"
 #include "experiments/report/table.h"
 #include "experiments/report/utf8.h"
 #include "schemes/input_error.h"
@@ -52,8 +53,9 @@ const std::filesystem::path figure_file = std::filesystem::path("figures") / "le
 TEST(WriteResults, WritesEverythingAndTheSameBytesAgain) {
   const TemporaryFolder folder;
   const ResultsFolder results = write(folder.path(), {&letters, &numbers}, true);
-  const std::set<std::string> files{"README.md",     "claims.csv",         "claims.json",
-                                    "manifest.json", series_file.string(), figure_file.string()};
+  const std::set<std::string> files{"README.md",         "claims.csv",         "claims.json",
+                                    "manifest.json",     series_file.string(), figure_file.string(),
+                                    "report/index.html", "report/errata.html"};
   EXPECT_EQ(folder.files(), files);
   EXPECT_EQ(ids(results), (Ids{"letters.a", "letters.b", "numbers.one"}));
   std::vector<std::string> first;
@@ -61,6 +63,30 @@ TEST(WriteResults, WritesEverythingAndTheSameBytesAgain) {
   (void)write(folder.path(), {&numbers, &letters}, true);
   std::size_t i = 0;
   for (const std::string& file : files) EXPECT_EQ(read_file(folder.path() / file), first[i++]) << file;
+}
+
+TEST(WriteResults, PagesAreThoseThatFollowFromTheFolder) {
+  const TemporaryFolder folder;
+  const ResultsFolder results = write(folder.path(), {&letters, &numbers}, true);
+  EXPECT_EQ(results.manifest.pages, page_names());
+  EXPECT_EQ(page_differences(folder.path(), all, results), std::vector<std::string>{});
+  ResultsFolder tampered = results;
+  tampered.claims[0].note += "!";  // README.md does not show it
+  EXPECT_EQ(page_differences(folder.path(), all, tampered).size(), 1U);
+  std::filesystem::remove(folder.path() / "report" / "errata.html");
+  const auto differences = page_differences(folder.path(), all, results);
+  ASSERT_EQ(differences.size(), 1U);
+  EXPECT_TRUE(differences[0].ends_with("errata.html: is missing")) << differences[0];
+}
+
+TEST(WriteResults, APartialRunKeepsTheReport) {
+  const TemporaryFolder folder;
+  (void)write(folder.path(), {&letters, &numbers}, true);
+  const std::string before = read_file(folder.path() / "report" / "index.html");
+  const ResultsFolder results = write(folder.path(), {&numbers}, false);
+  EXPECT_EQ(read_file(folder.path() / "report" / "index.html"), before);
+  EXPECT_NE(before.find("data:image/svg+xml"), std::string::npos);
+  EXPECT_EQ(page_differences(folder.path(), all, results), std::vector<std::string>{});
 }
 
 TEST(WriteResults, APartialRunKeepsTheOtherClaims) {

@@ -1,0 +1,116 @@
+#include "experiments/report/html_claim.h"
+
+#include <algorithm>
+
+#include "experiments/report/html_documents.h"
+#include "experiments/report/html_text.h"
+#include "experiments/report/sharpened.h"
+
+namespace subdiv {
+namespace {
+
+std::string link(const std::string& address, const std::string& text) {
+  return "<a href=\"" + html_text(address) + "\">" + html_text(text) + "</a>";
+}
+
+std::string row(const std::string& term, const std::string& html) {
+  return "<div><dt>" + term + "</dt><dd>" + html + "</dd></div>\n";
+}
+
+std::string code(const std::string& text) { return "<code>" + html_text(text) + "</code>"; }
+
+std::string figures_of(const std::map<std::string, std::vector<const FileEntry*>>& places,
+                       const std::string& id, const std::function<std::string(const FileEntry&)>& html) {
+  std::string text;
+  const auto found = places.find(id);
+  if (found == places.end()) return text;
+  for (const FileEntry* figure : found->second) text += html(*figure);
+  return text;
+}
+
+std::string list_of(const std::vector<std::string>& items) {
+  std::string text;
+  for (const std::string& item : items) text += (text.empty() ? "" : ", ") + item;
+  return text;
+}
+
+std::string note_term(const ClaimRecord& claim) {
+  return claim.verdict == to_string(Verdict::refuted) ? "What is true" : "Note";
+}
+
+std::string rows(const ClaimRecord& claim, const ClaimContext& context, bool sharpened) {
+  std::string text;
+  if (claim.printed) text += row("Printed", "<q>" + html_text(*claim.printed) + "</q>");
+  text += row("Value", html_value(claim));
+  if (!claim.note.empty()) text += row(note_term(claim), html_with_links(claim.note, context.ids));
+  text += row("Definition", html_with_links(claim.definition, context.ids));
+  if (sharpened) {
+    std::vector<std::string> links;
+    for (const std::string& id : sharper_findings(claim, context.source.claims))
+      links.push_back(link("#" + id, id));
+    text +=
+        row("More is proved", links.empty() ? "The value lies strictly inside the bound." : list_of(links));
+  }
+  const std::string mentioned = figures_of(context.figures.mentioned, claim.id, [](const FileEntry& figure) {
+    return "<li>" + link("#" + figure_anchor(figure), figure.title) + "</li>";
+  });
+  if (!mentioned.empty()) text += row("Figure", "<ul>" + mentioned + "</ul>");
+  if (const auto certificate = certificate_address(claim, *context.source.manifest)) {
+    text += row("Certificate", link(*certificate, claim.id + ".txt"));
+  }
+  return text;
+}
+
+}  // namespace
+
+ClaimContext context_of(const ReportSource& source) {
+  ClaimContext context{source, place_figures(source.manifest->figures, source.claims), {}};
+  for (const ClaimRecord& claim : source.claims) context.ids.insert(claim.id);
+  return context;
+}
+
+std::optional<std::string> certificate_address(const ClaimRecord& claim, const Manifest& manifest) {
+  (void)claim;  // a manifest does not list certificates yet
+  (void)manifest;
+  return std::nullopt;
+}
+
+std::string html_value(const ClaimRecord& claim) {
+  const bool has_ends = claim.lower && claim.upper;
+  constexpr std::size_t any_width = 200;
+  ClaimRecord digits = claim;
+  digits.exact.reset();
+  std::string text = claim.exact ? code(*claim.exact) : "";
+  if (!has_ends) return text.empty() ? "none" : text;
+  // An integer is its own digits; a fraction, a root and an expression are easier to compare as decimals.
+  const bool tells = claim.exact && claim.exact->find_first_not_of("-0123456789") == std::string::npos;
+  if (tells) return text;
+  text += (text.empty() ? "" : " = ") + code(value_text(digits, any_width));
+  if (claim.lower != claim.upper) {
+    text +=
+        "<br><span class=\"ends\">between " + code(*claim.lower) + " and " + code(*claim.upper) + "</span>";
+  }
+  return text;
+}
+
+std::string html_claim(const ClaimRecord& claim, const ClaimContext& context) {
+  const bool sharpened = is_sharpened(claim, context.source.claims);
+  const std::string id = html_text(claim.id);
+  const std::string figures = figures_of(context.figures.beside, claim.id, [&](const FileEntry& figure) {
+    return html_figure(figure, context.source.picture(figure.name));
+  });
+  std::string text =
+      "<article class=\"claim" + std::string(figures.empty() ? "" : " illustrated") + "\" id=\"" + id +
+      "\" data-document=\"" + html_text(claim.document) + "\" data-verdict=\"" + html_text(claim.verdict) +
+      "\" data-rigour=\"" + html_text(claim.rigour) + "\"" + (sharpened ? " data-sharpened=\"yes\"" : "") +
+      ">\n<div class=\"text\">\n<h4><a class=\"deep\" href=\"#" + id + "\">" + id + "</a></h4>\n";
+  text += "<p class=\"marks\"><span class=\"mark " + html_text(claim.verdict) + "\">" +
+          html_text(claim.verdict) + "</span> <span class=\"mark\">" + html_text(claim.rigour) + "</span> " +
+          (sharpened ? "<span class=\"mark sharpened\">sharpened</span> " : "") + "<span class=\"place\">" +
+          html_text(place_of(claim)) + "</span></p>\n<dl>\n" + rows(claim, context, sharpened) +
+          "</dl>\n</div>\n";
+  if (!figures.empty()) text += "<div class=\"figures\">\n" + figures + "</div>\n";
+  return text + "</article>\n";
+}
+
+}  // namespace subdiv

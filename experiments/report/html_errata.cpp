@@ -1,0 +1,183 @@
+#include "experiments/report/html_errata.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+#include "experiments/report/html_documents.h"
+#include "experiments/report/html_page.h"
+#include "experiments/report/html_text.h"
+
+namespace subdiv {
+namespace {
+
+/// Claims of one document that one note settles: they make one entry.
+using Entry = std::vector<const ClaimRecord*>;
+
+std::vector<Entry> entries_of(const Document& document, const ReportSource& source, Verdict verdict) {
+  std::vector<Entry> entries;
+  for (const ClaimRecord& claim : source.claims) {
+    if (claim.document != document.key || claim.verdict != to_string(verdict)) continue;
+    const auto same = std::ranges::find_if(entries, [&](const Entry& e) {
+      return e.front()->note == claim.note && place_of(*e.front()) == place_of(claim);
+    });
+    if (same == entries.end()) {
+      entries.push_back({&claim});
+    } else {
+      same->push_back(&claim);
+    }
+  }
+  return entries;
+}
+
+std::string capitalised(std::string text) {
+  if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text;
+}
+
+/// What the decision rests on, as a sentence.
+std::string how(const ClaimRecord& claim) {
+  if (claim.rigour == to_string(Rigour::exact)) return "Decided in exact arithmetic.";
+  if (claim.rigour == to_string(Rigour::certified)) return "Proved by enclosures with outward rounding.";
+  return "Computed in floating point; this is evidence and no proof.";
+}
+
+/// Whether the value says more than the verdict does.
+bool tells(const ClaimRecord& claim) {
+  return (claim.exact && *claim.exact != "false" && *claim.exact != "true") || (!claim.exact && claim.lower);
+}
+
+std::string row(const std::string& term, const std::string& html) {
+  return "<div><dt>" + term + "</dt><dd>" + html + "</dd></div>\n";
+}
+
+/// What each claim of an entry adds of its own; the printed string leads where there are several.
+std::string each(const Entry& entry, const std::function<std::string(const ClaimRecord&)>& html) {
+  if (entry.size() == 1) return html(*entry.front());
+  std::string text = "<ul>";
+  for (const ClaimRecord* claim : entry) {
+    text += "<li><q>" + html_text(claim->printed.value_or("")) + "</q>: " + html(*claim) + "</li>";
+  }
+  return text + "</ul>";
+}
+
+bool same_definition(const Entry& entry) {
+  return std::ranges::all_of(
+      entry, [&](const ClaimRecord* c) { return c->definition == entry.front()->definition; });
+}
+
+std::string redo(const Entry& entry) {
+  std::string command = "build/subdivlab reproduce";
+  for (const ClaimRecord* claim : entry) command += " " + claim->id;
+  return "<pre tabindex=\"0\" role=\"region\" aria-label=\"Command\"><code>" + html_text(command) +
+         "</code></pre>";
+}
+
+std::string html_entry(const Document& document, const Entry& entry, const std::string& truth,
+                       const std::string& number, const std::set<std::string>& ids) {
+  std::string text = "<article class=\"erratum\" id=\"" + html_text(entry.front()->id) + "\">\n<h4>" +
+                     number + ". " + html_text(capitalised(place_of(*entry.front()))) + "</h4>\n";
+  for (const ClaimRecord* claim : entry) {
+    if (claim->printed) text += "<blockquote><p>" + html_text(*claim->printed) + "</p></blockquote>\n";
+  }
+  text += "<dl>\n" + row(truth, html_with_links(entry.front()->note, ids, "index.html"));
+  const bool has_values = std::ranges::any_of(entry, [](const ClaimRecord* c) { return tells(*c); });
+  if (has_values) text += row("Found", each(entry, html_value));
+  text += row("What was asked", same_definition(entry)
+                                    ? html_with_links(entry.front()->definition, ids, "index.html")
+                                    : each(entry, [&](const ClaimRecord& claim) {
+                                        return html_with_links(claim.definition, ids, "index.html");
+                                      }));
+  if (entry.front()->verdict != to_string(Verdict::not_reproducible))
+    text += row("How decided", how(*entry.front()));
+  text += row("To redo it", redo(entry));
+  return text +
+         row("In the report", "<a href=\"index.html#" + html_text(entry.front()->id) + "\">Entry " + number +
+                                  " on " + html_text(document.key) + " beside the other claims</a>") +
+         "</dl>\n</article>\n";
+}
+
+struct Kind {
+  Verdict verdict;
+  const char* title;
+  const char* truth;  // the term of the note
+  const char* about;
+};
+
+std::string html_document(const Document& document, const ReportSource& source,
+                          const std::set<std::string>& ids) {
+  constexpr std::array<Kind, 3> kinds{{
+      {Verdict::refuted, "What does not hold as printed", "What is true", ""},
+      {Verdict::inconsistent, "What measurements do not support", "What was measured",
+       "These statements are matters of degree; what we measured speaks against them and proves nothing."},
+      {Verdict::not_reproducible, "What could not be recomputed", "What is missing",
+       "We would be grateful for the missing data or formulas."},
+  }};
+  std::string text;
+  std::size_t number = 0;
+  for (const Kind& kind : kinds) {
+    const std::vector<Entry> entries = entries_of(document, source, kind.verdict);
+    if (entries.empty()) continue;
+    text += "<section>\n<h3>" + std::string(kind.title) + "</h3>\n";
+    if (*kind.about != '\0') text += "<p>" + std::string(kind.about) + "</p>\n";
+    for (const Entry& entry : entries) {
+      text += html_entry(document, entry, kind.truth, std::to_string(++number), ids);
+    }
+    text += "</section>\n";
+  }
+  if (text.empty()) return "";
+  return "<section class=\"document\" id=\"" + html_text("document:" + document.key) + "\">\n<h2>" +
+         html_text(document.title) + "</h2>\n" + text + "</section>\n";
+}
+
+const std::string introduction =
+    "<section>\n<h2>About these errata</h2>\n"
+    "<p>We recomputed the constants and statements of these documents with subdivlab, a free library and "
+    "program. Nearly "
+    "all of them hold. Below is what does not hold as printed, what is true instead, and what we could not "
+    "recompute "
+    "because a figure or a formula is lost in the copy at hand. Quotations are verbatim, but for "
+    "superscripts and "
+    "subscripts that became plain text. Should an entry rest on a misreading of ours, we would be glad to "
+    "learn of it.</p>\n"
+    "<p>Every entry names the command that decides it anew, after <code>experiments/reproduce</code> has "
+    "built the "
+    "program. Numbers called exact are decided in rational or algebraic arithmetic; for others two ends are "
+    "given, "
+    "between which the number is proved to lie.</p>\n"
+    "<h3>Notation</h3>\n<p><code>J_s</code> is one step of the J-spline scheme with the tension s: 0 is the "
+    "four-point "
+    "scheme, 1 the cubic and 3/2 the quintic B-spline scheme. <code>J_{a,b}</code> has a parameter for the "
+    "vertex rule and "
+    "one for the edge rule. <code>*J_s</code> is that step repeated without end, and <code>{J_r, "
+    "*J_s}</code> one step "
+    "<code>J_r</code> before it. In the chapter on polyloops <code>J5</code> and so on are written in its "
+    "older parameter: "
+    "J(t) there is <code>J_{1-t/8}</code> here.</p>\n</section>\n";
+
+}  // namespace
+
+std::string errata_page(const ReportSource& source) {
+  std::set<std::string> ids;
+  for (const ClaimRecord& claim : source.claims) ids.insert(claim.id);
+  const std::vector<Document> documents = documents_of(source.claims);
+  std::string content;
+  std::string contents = "<nav aria-label=\"Documents\"><ul>";
+  for (const Document& document : documents) {
+    const std::string text = html_document(document, source, ids);
+    if (text.empty()) continue;
+    contents += "<li><a href=\"" + html_text("#document:" + document.key) + "\">" +
+                html_text(document.title) + "</a></li>";
+    content += text;
+  }
+  contents += "</ul></nav>\n";
+  const bool none = content.empty();
+  if (none) content = "<p>No claim is refuted, inconsistent or not reproducible.</p>\n";
+  return html_page({.title = "Errata and open points",
+                    .lead = "<p>What subdivlab found in documents on subdivision curves and surfaces.</p>\n",
+                    .aside = none ? "" : contents,
+                    .content = introduction + content,
+                    .name = "errata.html"});
+}
+
+}  // namespace subdiv
