@@ -57,6 +57,8 @@ struct CommandLine {
   BezierOptions bezier_options;
   MeasureOptions measure_options;
   SmoothOptions smooth_options;
+  ProveOptions prove_options;
+  VerifyOptions verify_options;
   ListOptions list_options;
 
   CommandLine() {
@@ -76,6 +78,8 @@ struct CommandLine {
     add_bezier();
     add_measure();
     add_smooth();
+    add_prove();
+    add_verify();
     add_list();
   }
 
@@ -407,6 +411,35 @@ struct CommandLine {
             "           subdivlab smooth path.csv --open keep --operators 'refine; dual^2' -o -\n\n") +
         exit_codes);
     verb.callback([this] { action = [this] { return smooth(smooth_options); }; });
+  }
+
+  void add_prove() {
+    auto& options = prove_options;
+    CLI::App& verb = *app.add_subcommand("prove", "Find the certificates of statements");
+    verb.add_option("FILE", options.files, "Files of statements (experiments/certificates/README.md)")
+        ->required();
+    verb.add_option("--out,-o", options.out, "The folder to write to, ID.txt for each claim")
+        ->type_name("DIR")
+        ->required();
+    verb.add_option("--claims", options.claims,
+                    "The results folder with the values that $exact, $lower and $upper stand for")
+        ->type_name("DIR")
+        ->capture_default_str();
+    verb.footer(std::string("Example:  subdivlab prove mine.statements -o /tmp/certificates\n\n") +
+                exit_codes);
+    verb.callback([this] { action = [this] { return prove(prove_options); }; });
+  }
+
+  void add_verify() {
+    auto& options = verify_options;
+    CLI::App& verb =
+        *app.add_subcommand("verify", "Check certificates in exact arithmetic, without searching");
+    verb.add_option("PATH", options.path, "A folder of certificates, or one of them")->capture_default_str();
+    verb.add_flag("--print-statement", options.print_statement, "Say in words what each one proves");
+    verb.add_flag("--missing", options.missing,
+                  "List the exact or certified claims that have no certificate");
+    verb.footer(std::string("Example:  subdivlab verify results/certificates --missing\n\n") + exit_codes);
+    verb.callback([this] { action = [this] { return verify(verify_options); }; });
   }
 
   void add_list() {

@@ -134,6 +134,22 @@ struct SmoothOptions {
 /// Applies a sequence of polyloop operators to a polygon, writes it, and prints what was kept of it.
 [[nodiscard]] int smooth(const SmoothOptions& options);
 
+struct ProveOptions {
+  std::vector<std::string> files;  // of statements
+  std::string out;                 // the folder for the certificates
+  std::string claims = "results";  // the results folder whose values fill in the statements
+};
+/// Finds the witnesses of statements and writes their certificates.
+[[nodiscard]] int prove(const ProveOptions& options);
+
+struct VerifyOptions {
+  std::string path = "results/certificates";  // a folder or a file
+  bool print_statement = false;
+  bool missing = false;  // list the claims without certificate
+};
+/// Checks certificates, and their values against the claims.json beside the folder.
+[[nodiscard]] int verify(const VerifyOptions& options);
+
 struct ListOptions {
   std::string what;  // schemes, claims, objectives, or empty for all three
   bool json = false;

@@ -116,7 +116,7 @@ class Certificate:
         self.lines, self.values = lines, []
 
     def parse(self, text):
-        text = re.sub(r'(\d+)\.(\d+)', lambda m: f'({m[1]}{m[2]}/{10 ** len(m[2])})', text).replace('^', '**')
+        text = re.sub(r'(\d+)\.(\d+)', lambda m: f'({int(m[1] + m[2])}/{10 ** len(m[2])})', text).replace('^', '**')
         text = re.sub(r'\bif\(', 'if_(', text)
         try: return ast.parse(text.strip(), mode='eval').body
         except SyntaxError: raise Rejected('no expression: ' + text)
