@@ -47,7 +47,8 @@ std::string figure_anchor(const FileEntry& figure) { return "figure:" + figure.n
 
 std::string html_figure(const FileEntry& figure, const std::string& svg) {
   const std::string caption = html_text(figure.title.empty() ? figure.name : figure.title);
-  std::string text = "<figure id=\"" + html_text(figure_anchor(figure)) + "\">";
+  std::string text =
+      "<figure id=\"" + html_text(figure_anchor(figure)) + "\" aria-label=\"" + caption + "\">";
   if (svg.empty()) {
     text += "<p>This figure has not been drawn.</p>";
   } else {

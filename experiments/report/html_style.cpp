@@ -59,7 +59,7 @@ button {
 .wide { overflow-x: auto; }
 table { border-collapse: collapse; }
 caption { text-align: left; color: var(--faint); padding: 0.3rem 0; }
-th, td { border: 1px solid var(--line); padding: 0.25rem 0.6rem; text-align: right; overflow-wrap: normal; white-space: nowrap; }
+th, td { border: 1px solid var(--line); padding: 0.25rem 0.5rem; text-align: right; overflow-wrap: normal; font-size: 0.9rem; }
 th { background: var(--card); text-align: left; }
 dl { margin: 0.4rem 0 0; }
 dl > div { display: grid; grid-template-columns: 7.5rem minmax(0, 1fr); gap: 0 0.8rem; padding: 0.15rem 0; }
