@@ -7,6 +7,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "experiments/cli/usage.h"
 #include "experiments/cli/verbs.h"
 #include "schemes/input_error.h"
 #include "schemes/text.h"
@@ -60,6 +61,7 @@ struct CommandLine {
   ProveOptions prove_options;
   VerifyOptions verify_options;
   ListOptions list_options;
+  std::string shell;  // of completion
 
   CommandLine() {
     app.set_version_flag("--version", "subdivlab " SUBDIVLAB_VERSION);
@@ -81,6 +83,8 @@ struct CommandLine {
     add_prove();
     add_verify();
     add_list();
+    add_completion();
+    add_manual();
   }
 
   void add_reproduce() {
@@ -450,6 +454,35 @@ struct CommandLine {
     verb.add_flag("--json", options.json, "Machine-readable output");
     verb.footer("Examples:  subdivlab list schemes\n           subdivlab list claims --json");
     verb.callback([this] { action = [this] { return list(list_options); }; });
+  }
+
+  void add_completion() {
+    CLI::App& verb =
+        *app.add_subcommand("completion", "Print a script that teaches a shell verbs, options and values");
+    verb.add_option("SHELL", shell, "The shell")->required()->check(CLI::IsMember({"bash", "zsh", "fish"}));
+    verb.footer(
+        "Examples:  source <(subdivlab completion bash)\n"
+        "           subdivlab completion fish | source");
+    verb.callback([this] {
+      action = [this] {
+        const std::vector<VerbUsage> verbs = usage_of(app);
+        std::cout << (shell == "bash"  ? bash_completion(verbs)
+                      : shell == "zsh" ? zsh_completion(verbs)
+                                       : fish_completion(verbs));
+        return static_cast<int>(ExitCode::done);
+      };
+    });
+  }
+
+  void add_manual() {
+    CLI::App& verb = *app.add_subcommand("manual", "Print the manual page");
+    verb.footer("Example:  subdivlab manual | man -l -");
+    verb.callback([this] {
+      action = [this] {
+        std::cout << manual_page(usage_of(app));
+        return static_cast<int>(ExitCode::done);
+      };
+    });
   }
 };
 
