@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "experiments/area_schemes.h"
+#include "experiments/report/figure_style.h"
 #include "optimize/problem.h"
 
 namespace subdiv {
@@ -71,12 +72,13 @@ void add_one_parameter(Results& results) {
        {"s", "largest difference"},
        {{to_significant(s.minimiser[0].midpoint(), digits), to_significant(s.minimum.midpoint(), digits)}}});
   results.figures.push_back({"area-objective-s",
-                             "Area: largest difference of the area masks of *J_s and the polygon",
-                             "s",
-                             "largest |m_k - l_k|",
+                             "How far the area mask of *J_s is from the polygon's",
+                             "parameter s",
+                             "largest difference of entries, |m_k - l_k|",
                              {{"area-objective-s", "s", "largest difference", "*J_s"},
-                              {"area-optimum-s", "s", "largest difference", "optimum", "points pt 7 ps 1.2"}},
-                             "set logscale y; set format y '%.0e'"});
+                              {"area-optimum-s", "s", "largest difference", "optimum", style::points(1)}},
+                             style::log_y,
+                             {"area.s.js-report", "area.s.jsplines", "area.s.minimum"}});
 }
 
 /// Over r for fixed s: the floor of the valley in which the optimum of {J_r, *J_s} lies.
@@ -137,12 +139,13 @@ void add_two_parameters(Results& results) {
   results.series.push_back(std::move(points));
   results.figures.push_back(
       {"area-rs-valley",
-       "Area: least largest difference over r, and the printed pairs (r, s)",
-       "s",
-       "largest |m_k - l_k|",
+       "How far the area mask of {J_r, *J_s} is from the polygon's, and the printed pairs (r, s)",
+       "parameter s",
+       "largest difference of entries, |m_k - l_k|",
        {{"area-rs-valley", "s", "largest difference", "{J_r, *J_s}, best r"},
-        {"area-rs-points", "s", "largest difference", "optimum; printed pairs", "points pt 7 ps 1.2"}},
-       "set key top center; set logscale y; set format y '%.0e'"});
+        {"area-rs-points", "s", "largest difference", "optimum; printed pairs", style::points(1)}},
+       style::log_y,
+       {"area.rs."}});
 }
 
 /// The masks of the recommended schemes beside the polygon's.
@@ -164,15 +167,24 @@ void add_mask_figure(Results& results) {
   };
   Series series{"area-masks", {"k"}, {}};
   Series differences{"area-mask-differences", {"k"}, {}};
-  Figure figure{"area-masks", "Area masks", "k", "m_k", {}, "set xrange [-5.5:5.5]"};
-  Figure difference_figure{"area-mask-differences", "Area masks minus the polygon's", "k", "m_k - l_k", {},
-                           "set xrange [-5.5:5.5]"};
+  Figure figure{"area-masks", "Area masks of schemes and of the polygon",
+                "entry k",    "m_k (share of the cross product of points k apart)",
+                {},           "set xrange [-5.5:5.5]; set xtics 1",
+                {"area.mask"}};
+  Figure difference_figure{"area-mask-differences",
+                           "Area masks of recommended schemes minus the polygon's",
+                           "entry k",
+                           "m_k - l_k",
+                           {},
+                           "set xrange [-5.5:5.5]; set xtics 1",
+                           {"area.s.minimum", "area.r.minimum", "area.rs.minimum", "area.rs.residual."}};
   for (const auto& [name, mask] : masks) {
     series.columns.push_back(name);
-    figure.curves.push_back({"area-masks", "k", name, name, "linespoints pt 7 ps 0.6"});
+    figure.curves.push_back({"area-masks", "k", name, name, style::marked(figure.curves.size())});
     if (!is_recommended(name)) continue;
     differences.columns.push_back(name);
-    difference_figure.curves.push_back({"area-mask-differences", "k", name, name, "linespoints pt 7 ps 0.6"});
+    difference_figure.curves.push_back(
+        {"area-mask-differences", "k", name, name, style::marked(difference_figure.curves.size())});
   }
   for (int k = -5; k <= 5; ++k) {
     std::vector<std::string> row{std::to_string(k)};

@@ -5,6 +5,7 @@
 #include "experiments/area.h"
 #include "experiments/area_schemes.h"
 #include "experiments/data.h"
+#include "experiments/report/figure_style.h"
 #include "optimize/problem.h"
 #include "schemes/algebra/univariate.h"
 
@@ -250,11 +251,12 @@ void add_figures(const Points& witness, Results& results) {
   results.series.push_back(closed_curve("area-witness-curve", curve));
   results.figures.push_back({"area-witness",
                              "A heptagon with the printed area errors, and *J_0.46415",
-                             "x",
-                             "y",
-                             {{"area-witness-polygon", "x", "y", "polygon", "linespoints pt 7 ps 0.8"},
+                             "x (units of the polygon)",
+                             "y (units of the polygon)",
+                             {{"area-witness-polygon", "x", "y", "polygon", style::marked(5)},
                               {"area-witness-curve", "x", "y", "*J_0.46415"}},
-                             "set size ratio -1; set yrange [-2:8]"});
+                             "set size ratio -1; set yrange [-2:6]; set xtics 5; set ytics 2",
+                             {"area.model.witness", "area.errors."}});
 
   const std::vector<Rational> ratio = ratios(witness);
   Series series{"area-error-witness", {"parameter", "*J_s", "{J_r, *J_1.5}"}, {}};
@@ -272,13 +274,14 @@ void add_figures(const Points& witness, Results& results) {
        {"parameter", "E"},
        {{"0.476", "0"}, {"0.050", "0"}, {"0.46415", "0.00786"}, {"-0.0299", "0.03443"}}});
   results.figures.push_back({"area-error-witness",
-                             "Relative area error E on the heptagon, and the printed numbers as fractions",
-                             "s or r",
-                             "E",
+                             "Relative area error on the heptagon; the printed numbers read as fractions",
+                             "parameter s or r",
+                             "error E (fraction of the polygon's area)",
                              {{"area-error-witness", "parameter", "*J_s", "*J_s"},
                               {"area-error-witness", "parameter", "{J_r, *J_1.5}", "{J_r, *J_1.5}"},
-                              {"area-error-printed", "parameter", "E", "printed", "points pt 7 ps 1"}},
-                             "set yrange [-0.3:0.4]"});
+                              {"area-error-printed", "parameter", "E", "printed", style::points(5)}},
+                             "set yrange [-0.3:0.4]",
+                             {"area.model.", "area.errors."}});
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "analysis/basis_function.h"
 #include "analysis/bspline_distance.h"
 #include "analysis/uniform_bspline.h"
+#include "experiments/report/figure_style.h"
 #include "optimize/objectives.h"
 #include "schemes/algebra/univariate.h"
 #include "schemes/jspline.h"
@@ -193,13 +194,14 @@ void add_curves(Results& results, const std::string& name, const Rational& s, in
   }
   results.series.push_back(std::move(series));
   results.figures.push_back({name,
-                             "Basis function of " + label,
-                             "t",
+                             fmt::format("Basis function of {} and the B-spline of degree {}", label, degree),
+                             "parameter t (spans of the control polygon)",
+                             "weight of the control point",
+                             {{name, "t", "target", fmt::format("B_{}", degree), style::target},
+                              {name, "t", "phi", label, style::curve(0, 1.5)},
+                              {name, "t", "difference", "difference", style::curve(1, 1.5)}},
                              "",
-                             {{name, "t", "target", fmt::format("B{}", degree), "lines lw 5 lc rgb 'gray70'"},
-                              {name, "t", "phi", label, "lines lw 1.5 lc 1"},
-                              {name, "t", "difference", "difference", "lines lw 1.5 dt 2 lc 2"}},
-                             ""});
+                             {fmt::format("fit.{}.", degree == 1 ? "linear" : fmt::format("b{}", degree))}});
 }
 
 /// The objectives of the documents at one s, divided so that they approach norms over the line: (sum of
@@ -239,14 +241,15 @@ void add_objectives(Results& results, const Claim& best_l1, const Claim& best_li
   results.series.push_back({"fit-b2-optimum-l1", {"s", "l1"}, {{left[0], left[1]}}});
   results.series.push_back({"fit-b2-optimum-linf", {"s", "linf"}, {{right[0], right[2]}}});
   results.figures.push_back({"fit-b2-objective",
-                             "Distance of the level-8 iterate of J_s from the quadratic B-spline",
-                             "s",
-                             "distance",
-                             {{"fit-b2-objective", "s", "l1", "L1", "lines lw 2 lc 1"},
-                              {"fit-b2-objective", "s", "linf", "Linf", "lines lw 2 lc 2"},
-                              {"fit-b2-optimum-l1", "s", "l1", "", "points pt 7 ps 1 lc 1"},
-                              {"fit-b2-optimum-linf", "s", "linf", "", "points pt 7 ps 1 lc 2"}},
-                             ""});
+                             "How far *J_s (level 8) is from the quadratic B-spline; points: the optima",
+                             "parameter s",
+                             "distance of basis functions (weights)",
+                             {{"fit-b2-objective", "s", "l1", "L^1 (area between)"},
+                              {"fit-b2-objective", "s", "linf", "L^{∞} (largest)"},
+                              {"fit-b2-optimum-l1", "s", "l1", "", style::points(0)},
+                              {"fit-b2-optimum-linf", "s", "linf", "", style::points(1)}},
+                             "",
+                             {"fit.b2."}});
 }
 
 const Claim& settled(const Results& results, const std::string& id) {

@@ -415,14 +415,6 @@ PlanePoints smooth_curve(const Plane& p) {
   return drawn(draw_to_depth({in_double(p)}, depth, most_segments));
 }
 
-/// A name beside a point of panel 0 or 1, by gnuplot's offset in characters: the panels of add_drawing stand
-/// 1.12 of their width apart.
-std::string name_at(const std::pair<Rational, Rational>& point, const std::string& name,
-                    const std::string& offset, double right) {
-  return fmt::format("\nset label '{}' at {:.6g},{:.6g} {}", name, point.first.to_double() + right,
-                     point.second.to_double(), offset);
-}
-
 void add_split_figure(Results& results) {
   const Plane p = polygon_from_data("figure-bezier.csv");
   const Plane first = middle_split(p, false);
@@ -436,41 +428,42 @@ void add_split_figure(Results& results) {
     throw std::logic_error("the halves of a curve have another area");
   results.claims.push_back(number("figure.notes.bezier", whole / Rational(2),
                                   "Negative: the curve and its chord back run clockwise."));
-  const auto dots = [](const Plane& points) {
-    return Stroke{"", points, false, "points pt 7 ps 0.6 lc rgb '#000000'"};
-  };
-  Drawing drawing{"figure-notes-bezier", "A Bezier curve is two Bezier curves (notes figure 1)", {}};
+  const auto dots = [](const Plane& points) { return Stroke{"", points, false, style::dot}; };
+  Drawing drawing{"figure-notes-bezier",
+                  "A Bezier curve is two Bezier curves (notes figure 1)",
+                  {},
+                  {"figure.notes.bezier", "notes.bezier.p01", "notes.bezier.p12", "notes.bezier.p23",
+                   "notes.bezier.p012", "notes.bezier.p123", "notes.bezier.p0123", "notes.bezier.halves"}};
   drawing.panels.push_back(
-      {"the cubic", {{"", p, false, style::polygon}, {"", smooth_curve(p), false, style::line(2)}, dots(p)}});
+      {"the cubic",
+       {{"", p, false, style::polygon}, {"", smooth_curve(p), false, style::curve(0)}, dots(p)}});
   const auto& [x1, y1] = p[1];
   const auto& [x2, y2] = p[2];
   const Plane between{first[1], {(x1 + x2) / Rational(2), (y1 + y2) / Rational(2)}, second[2]};
   drawing.panels.push_back({"its halves",
                             {{"", p, false, style::polygon},
                              {"", between, false, style::polygon},
-                             {"", first, false, style::line(0, 1.2)},
-                             {"", second, false, style::line(1, 1.2)},
-                             {"", smooth_curve(first), false, style::line(0, 3)},
-                             {"", smooth_curve(second), false, style::line(1, 3)},
+                             {"", first, false, style::in_colour(style::vermilion, 1.2)},
+                             {"", second, false, style::in_colour(style::green, 1.2)},
+                             {"", smooth_curve(first), false, style::curve(1, 3)},
+                             {"", smooth_curve(second), false, style::curve(2, 3)},
                              dots(between),
                              dots(first),
                              dots(second)}});
+  const auto named = [](const std::pair<Rational, Rational>& point, const char* name, const char* place) {
+    return FigureText{name, point.first.to_double(), point.second.to_double(), place};
+  };
+  const char* above = "center offset 0,0.8";
+  const char* below = "center offset 0,-0.8";
+  for (Panel& panel : drawing.panels)
+    panel.texts = {named(p[0], "P0", "left offset 0.9,-0.2"), named(p[1], "P1", above),
+                   named(p[2], "P2", above), named(p[3], "P3", "right offset -0.9,-0.2")};
+  for (const FigureText& text :
+       {named(first[1], "P01", "right offset -0.6,0.4"), named(between[1], "P12", above),
+        named(second[2], "P23", "left offset 0.8,0"), named(first[2], "P012", "right offset -0.5,0.5"),
+        named(second[1], "P123", "left offset 0.4,0.6"), named(first[3], "P0123", below)})
+    drawing.panels[1].texts.push_back(text);
   add_drawing(results, drawing);
-  constexpr double apart = 1.12;
-  const auto [left, most] = std::ranges::minmax(p, {}, [](const auto& point) { return point.first; });
-  const double next = apart * Rational(most.first - left.first).to_double();
-  std::string& setup = results.figures.back().setup;
-  const std::string above = "center offset 0,0.8";
-  const std::string below = "center offset 0,-0.8";
-  const std::string beside = "left offset 0.8,0";
-  for (const double right : {0.0, next}) {
-    setup += name_at(p[0], "P0", "left offset 0.9,-0.2", right) + name_at(p[1], "P1", above, right) +
-             name_at(p[2], "P2", above, right) + name_at(p[3], "P3", "right offset -0.9,-0.2", right);
-  }
-  setup += name_at(first[1], "P01", "right offset -0.6,0.4", next) + name_at(between[1], "P12", above, next) +
-           name_at(second[2], "P23", beside, next) +
-           name_at(first[2], "P012", "right offset -0.5,0.5", next) +
-           name_at(second[1], "P123", "left offset 0.4,0.6", next) + name_at(first[3], "P0123", below, next);
 }
 
 void add_adaptive_figure(Results& results) {
@@ -483,11 +476,14 @@ void add_adaptive_figure(Results& results) {
       "figure.notes.adaptive", Rational(count),
       fmt::format("Hausdorff distance from the curve at most {:.4f}, rounding included.", line.bound)));
   results.claims.push_back(number("figure.notes.adaptive.uniform", Rational(uniform)));
-  Drawing drawing{"figure-notes-adaptive", "Chords within 0.02 of a cubic: points gather where it turns", {}};
+  Drawing drawing{"figure-notes-adaptive",
+                  "Chords within 0.02 of a cubic: points gather where it turns",
+                  {},
+                  {"figure.notes.adaptive", "figure.notes.adaptive.uniform"}};
   drawing.panels.push_back({fmt::format("{} chords; {} of equal parts", count, uniform),
                             {{"", p, false, style::polygon},
-                             {"", drawn(line), false, style::line(2)},
-                             {"", drawn(line), false, "points pt 7 ps 0.5 lc rgb '#d55e00'"}}});
+                             {"", drawn(line), false, style::curve(0)},
+                             {"", drawn(line), false, style::points(1, 0.4)}}});
   add_drawing(results, drawing);
 }
 

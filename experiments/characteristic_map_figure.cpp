@@ -105,12 +105,12 @@ double residual(const MeshScheme<double>& scheme, const CharacteristicNet<double
 
 void add_characteristic_map_figure(Results& results, const ClaimHead& head) {
   constexpr double cell = 100;
-  const std::array<std::pair<const char*, const char*>, 3> rows{
-      {{"-1/4", "#0072b2"}, {"1/2", "#009e73"}, {"3/2", "#d55e00"}}};
+  const std::array<std::pair<const char*, std::string_view>, 3> rows{
+      {{"-1/4", style::blue}, {"1/2", style::green}, {"3/2", style::vermilion}}};
   bool smooth = true;
   double largest = 0;
   std::vector<Curve> curves;
-  std::string labels;
+  std::vector<FigureText> labels;
   for (std::size_t row = 0; row < rows.size(); ++row) {
     const auto& [s, colour] = rows.at(row);
     const MeshSchemeForms scheme = mesh_scheme_forms(parse_mesh_scheme(fmt::format("jspline-mesh:s={}", s)));
@@ -129,16 +129,15 @@ void add_characteristic_map_figure(Results& results, const ClaimHead& head) {
       add_map(series, *net, *limits,
               {static_cast<double>(column) * cell, -static_cast<double>(row) * cell, share * cell});
       if (row == 0)
-        labels += fmt::format("set label 'n = {}' at {},{} center\n", n, static_cast<double>(column) * cell,
-                              -2.6 * cell);
+        labels.push_back({fmt::format("n = {}", n), static_cast<double>(column) * cell, -2.65 * cell});
     }
-    curves.push_back(
-        drawn(series, fmt::format("s = {}", s), fmt::format("lines lw 0.7 lc rgb '{}'", colour)));
+    curves.push_back(drawn(series, fmt::format("s = {}", s), style::in_colour(colour, 1)));
     results.series.push_back(std::move(series));
   }
-  results.figures.push_back(bare_figure("characteristic-maps",
-                                        "Characteristic maps of J_s on quad meshes (jsplines figure 13)",
-                                        std::move(curves), labels));
+  results.figures.push_back(
+      bare_figure("characteristic-maps",
+                  "Characteristic maps at vertices of n edges (jsplines figure 13); rows: s = -1/4, 1/2, 3/2",
+                  std::move(curves), std::move(labels), {"figure.characteristic-maps"}));
   constexpr double rounding = 1e-10;
   results.claims.push_back(settle_statement(
       head, smooth && largest < rounding,

@@ -178,29 +178,31 @@ void add_between(Results& results, const Points& points) {
     between = between && blend[i] == Plane(q("3/10") * four[i] + q("7/10") * cubic[i]);
   results.claims.push_back(statement("figure.between", between));
   add_drawing(results, {"figure-refinements",
-                        "J_0.7: three refinements, and one between those of J_0 and J_1",
+                        "Three refinements by J_0.7; one, between those of J_0 and J_1",
                         {{"three refinements",
                           {polygon_stroke(points, true, "control polygon"),
-                           {"1st", drawn(blend), true, style::line(0, 1.2)},
-                           {"2nd", drawn(refined(j("7/10"), points, 2)), true, style::line(1, 1.2)},
-                           {"3rd", drawn(refined(j("7/10"), points, 3)), true, style::line(2)}}},
+                           {"1st", drawn(blend), true, style::curve(1, 1.2)},
+                           {"2nd", drawn(refined(j("7/10"), points, 2)), true, style::curve(2, 1.2)},
+                           {"3rd", drawn(refined(j("7/10"), points, 3)), true, style::curve(0)}}},
                          {"one refinement",
                           {polygon_stroke(points),
-                           {"J_0", drawn(four), true, style::line(3, 1.2)},
-                           {"J_1", drawn(cubic), true, style::line(5, 1.2)},
-                           {"J_0.7", drawn(blend), true, "points pt 7 ps 0.6 lc rgb '#000000'"}}}}});
+                           {"J_0", drawn(four), true, style::curve(3, 1.2)},
+                           {"J_1", drawn(cubic), true, style::curve(4, 1.2)},
+                           {"J_0.7", drawn(blend), true, style::points(5, 0.5)}}}},
+                        {"figure.between"}});
 }
 
 void add_three_curves(Results& results, const Points& points) {
   const std::vector<std::pair<std::string, const char*>> curves{{"j0", "0"}, {"average", "1/2"}, {"j1", "1"}};
   constexpr int most = 6;
-  Drawing drawing{"figure-three-curves", "1, 2 and 6 refinements by J_0, J_1/2 and J_1", {}};
+  Drawing drawing{
+      "figure-three-curves", "1, 2 and 6 refinements by J_0, J_1/2 and J_1", {}, {"figure.three-curves."}};
   for (const int depth : {1, 2, most}) {
     Panel panel{fmt::format("{} refinement{}", depth, depth == 1 ? "" : "s"), {polygon_stroke(points)}};
     for (std::size_t i = 0; i < curves.size(); ++i) {
       panel.strokes.push_back({depth == 1 ? fmt::format("J_{}", curves[i].second) : "",
                                drawn(refined(j(curves[i].second), points, depth)), true,
-                               style::line(i, 1.5)});
+                               style::curve(i, 1.5)});
     }
     drawing.panels.push_back(std::move(panel));
   }
@@ -228,7 +230,10 @@ int winding_number(const Points& polygon, const Plane& point) {
 }
 
 void add_family(Results& results) {
-  Drawing drawing{"figure-family", "Five refinements by J_0, J_2/8, .., J_12/8 from outer to inner", {}};
+  Drawing drawing{"figure-family",
+                  "Five refinements by J_0, J_2/8, .., J_12/8, from outer to inner",
+                  {},
+                  {"figure.family.order"}};
   bool nested = true;
   for (const char* name : {"triangle", "square"}) {
     const Points points = stored(fmt::format("figure-{}.csv", name));
@@ -239,7 +244,7 @@ void add_family(Results& results) {
       for (const Plane& p : curve) nested = nested && (outer.empty() || winding_number(outer, p) == 1);
       outer = curve;
       panel.strokes.push_back({drawing.panels.empty() ? fmt::format("J_{}/8", eighths) : "", drawn(curve),
-                               true, style::line(static_cast<std::size_t>(eighths / 2), 1.5)});
+                               true, style::curve(static_cast<std::size_t>(eighths / 2), 1.5)});
     }
     drawing.panels.push_back(std::move(panel));
   }
@@ -248,7 +253,8 @@ void add_family(Results& results) {
 }
 
 void add_bsplines(Results& results, const Points& points) {
-  Drawing drawing{"figure-bsplines", "*J_s (colours) on the uniform B-splines of degree 2 to 5 (black)", {}};
+  Drawing drawing{
+      "figure-bsplines", "*J_s along the uniform B-splines of degree 2 to 5", {}, {"figure.bsplines."}};
   Panel panel{"from outer to inner: degree 2, 3, 4, 5", {polygon_stroke(points)}};
   std::vector<Rational> distances;
   std::size_t i = 0;
@@ -260,8 +266,8 @@ void add_bsplines(Results& results, const Points& points) {
       std::rotate(target.begin(), target.begin() + half, target.end());
     }
     distances.push_back(distance(curve, target));
-    panel.strokes.push_back({degree == 2 ? "B_d" : "", drawn(target), true, "lines lw 5 lc rgb '#000000'"});
-    panel.strokes.push_back({fmt::format("*J_{}", s), drawn(curve), true, style::line(i++, 1.5)});
+    panel.strokes.push_back({degree == 2 ? "B-splines" : "", drawn(target), true, style::target});
+    panel.strokes.push_back({fmt::format("*J_{}", s), drawn(curve), true, style::curve(i++, 1.5)});
   }
   drawing.panels.push_back(std::move(panel));
   results.claims.push_back(number("figure.bsplines.quadratic", distances[0]));
@@ -298,8 +304,12 @@ void add_retrofit(Results& results, const Points& points) {
     return retrofit_directly(mask, target);
   };
   constexpr int iterations = 3;
-  Drawing steps{"figure-retrofit", "Retrofitting *J_3/2: iterations, and the interpolating curve", {}};
-  Drawing shapes{"figure-retrofit-shapes", "*J_3/2 of a polygon, and of the retrofitted one", {}};
+  Drawing steps{"figure-retrofit",
+                "Retrofitting for *J_3/2: the polygon moves until its curve meets the points",
+                {},
+                {"figure.retrofit.iterations"}};
+  Drawing shapes{
+      "figure-retrofit-shapes", "*J_3/2 of a polygon, and of the retrofitted one", {}, {"figure.retrofit"}};
   bool interpolates = true;
   for (const char* name : {"triangle", "square", "shape"}) {
     const Points target = stored(fmt::format("figure-{}.csv", name));
@@ -314,17 +324,17 @@ void add_retrofit(Results& results, const Points& points) {
     shapes.panels.push_back(
         {name,
          {polygon_stroke(target, true, first ? "control polygon" : ""),
-          {first ? "its curve" : "", drawn(refined(quintic, target)), true, style::line(0)},
-          {first ? "retrofitted" : "", drawn(refined(quintic, solved)), true, style::line(2)}}});
+          {first ? "its curve" : "", drawn(refined(quintic, target)), true, style::curve(1)},
+          {first ? "retrofitted" : "", drawn(refined(quintic, solved)), true, style::curve(0)}}});
     if (!(target == points)) continue;
     results.claims.push_back(number("figure.retrofit.iterations", after / before));
     Points current = target;
     for (const int k : {0, 1, 2}) {
       steps.panels.push_back(
           {fmt::format("{} iteration{}", k, k == 1 ? "" : "s"),
-           {polygon_stroke(target, true, k == 0 ? "given points" : ""),
-            {k == 0 ? "control polygon" : "", drawn(current), true, style::line(4, 1.2)},
-            {k == 0 ? "curve" : "", drawn(refined(quintic, current)), true, style::line(2)}}});
+           {polygon_stroke(target, true, k == 0 ? "given polygon" : ""),
+            {k == 0 ? "moved polygon" : "", drawn(current), true, style::curve(1, 1.2)},
+            {k == 0 ? "curve" : "", drawn(refined(quintic, current)), true, style::curve(0)}}});
       current = by_coordinate(current, target, step);
     }
   }
@@ -335,7 +345,7 @@ void add_retrofit(Results& results, const Points& points) {
 
 Panel stages(const char* caption, const Points& points, const Scheme<Rational>& scheme, int depth) {
   return {caption,
-          {polygon_stroke(points), {"", drawn(refined(scheme, points, depth)), true, style::line(2, 1.5)}}};
+          {polygon_stroke(points), {"", drawn(refined(scheme, points, depth)), true, style::curve(0, 1.5)}}};
 }
 
 void add_vertex_interpolation(Results& results, const Points& points) {
@@ -345,13 +355,15 @@ void add_vertex_interpolation(Results& results, const Points& points) {
                                                              distance(limits(j("3/2"), points), points)));
   results.claims.push_back(statement("figure.interpolation", limits(through, points) == points));
   add_drawing(results, {"figure-anticipation",
-                        "{J_r, *J_3/2} with r = -33/26 passes near the control points",
+                        "{J_r, *J_3/2}, r = -33/26, passes near the control points",
                         {stages("J_r", points, near, 1), stages("then J_3/2", points, near, 2),
-                         stages("limit", points, near, fine)}});
+                         stages("limit", points, near, fine)},
+                        {"figure.anticipation", "vertex.r", "vertex.r.error"}});
   add_drawing(results, {"figure-interpolation",
                         "{J_-7/4,59/52, *J_3/2} passes through the control points",
                         {stages("*J_3/2", points, j("3/2"), fine), stages("J_a,b", points, through, 1),
-                         stages("then J_3/2", points, through, 2), stages("limit", points, through, fine)}});
+                         stages("then J_3/2", points, through, 2), stages("limit", points, through, fine)},
+                        {"figure.interpolation", "vertex.ab."}});
 }
 
 void add_mid_edges(Results& results, const Points& points) {
@@ -385,13 +397,14 @@ void add_mid_edges(Results& results, const Points& points) {
   results.claims.push_back(number("figure.mid-edges.r", distance(odd(with_r), middles) / longest));
   const auto panel = [&](const char* caption, const Scheme<Rational>& scheme) {
     Panel result = stages(caption, points, scheme, fine);
-    result.strokes.push_back({"", drawn(middles), true, style::dots});
+    result.strokes.push_back({"", drawn(middles), true, style::points(1, 0.4)});
     return result;
   };
   add_drawing(results, {"figure-mid-edges",
-                        "Curves through or near the mid-edge points (dots)",
+                        "Curves through or near the middles of edges (squares)",
                         {panel("B_2", spline(2)), panel("J_2/3, *J_1", then("2/3", "2/3", "1")),
-                         panel("*J_0.751", j("0.751")), panel("J_29/59, *J_3/2", with_r)}});
+                         panel("*J_0.751", j("0.751")), panel("J_29/59, *J_3/2", with_r)},
+                        {"figure.mid-edges."}});
 }
 
 // ---- Area, design, open curves, levels
@@ -404,13 +417,14 @@ void add_area(Results& results) {
   results.claims.push_back(
       number("figure.area", doubled_area(refined(exactly, points, depth)) / doubled_area(points)));
   add_drawing(results, {"figure-area",
-                        "Curves that keep the area, on the heptagon with the printed errors",
+                        "Schemes that keep the area, on the heptagon with the printed errors",
                         {stages("a: *J_0.476", points, j("0.476"), fine),
                          stages("b: J_0.05, *J_1.5", points, then("0.05", "0.05", "3/2"), fine),
                          stages("c: *J_0.46415", points, j("0.46415"), fine),
                          stages("d: J_-0.0299, *J_1.5", points, then("-0.0299", "-0.0299", "3/2"), fine),
                          stages("e: J_0.836, *J_-0.531", points, then("0.836", "0.836", "-0.531"), fine),
-                         stages("f: J_-0.0053,1.0276, *J_0.4666", points, exactly, fine)}});
+                         stages("f: J_-0.0053,1.0276, *J_0.4666", points, exactly, fine)},
+                        {"figure.area", "area.errors."}});
 }
 
 void add_design(Results& results) {
@@ -422,7 +436,10 @@ void add_design(Results& results) {
   const auto records = read_details<Rational>(data_folder() / "figure-omega-details.csv", 2);
   constexpr int depth = 6;
   std::vector<Detail<Plane>> details;
-  Drawing drawing{"figure-design", "A shape of 3 control points and 11 details (*J_12/8, retrofitted)", {}};
+  Drawing drawing{"figure-design",
+                  "A shape of 3 control points and 11 details (*J_12/8, retrofitted)",
+                  {},
+                  {"design.14"}};
   const ControlPolygon<Plane> loop = closed_polygon(controls);
   bool same = true;
   for (std::size_t i = 0; i <= records.size(); ++i) {
@@ -433,7 +450,7 @@ void add_design(Results& results) {
       same = same &&
              points == curve_points(refine_level_by_level(quintic, loop, depth, Details<Plane>(details)));
       drawing.panels.push_back(
-          {fmt::format("{} vertices", given.size() + i), {{"", drawn(points), true, style::line(2)}}});
+          {fmt::format("{} vertices", given.size() + i), {{"", drawn(points), true, style::curve(0)}}});
     }
     if (i < records.size()) {
       const auto& d = records[i];
@@ -455,15 +472,18 @@ void add_open_curves(Results& results) {
                      end_weights<Rational>(parse_scheme(fmt::format("jspline:s={}", s)), OpenEnd::clamped));
   };
   bool ends = true;
-  Drawing drawing{"figure-open", "Opening a curve: closed, reflected and clamped ends", {}};
+  Drawing drawing{"figure-open",
+                  "Opening a curve: closed, reflected and clamped ends",
+                  {},
+                  {"figure.open.ends", "open.clamped.", "open.reflected"}};
   drawing.panels.push_back(
       {"*J_0.5, closed",
-       {polygon_stroke(points), {"", drawn(refined(j("1/2"), points)), true, style::line(2)}}});
+       {polygon_stroke(points), {"", drawn(refined(j("1/2"), points)), true, style::curve(0)}}});
   const ControlPolygon<Plane> reflected =
       with_ends(points, end_weights<Rational>(parse_scheme("jspline:s=1/2"), OpenEnd::reflected));
   drawing.panels.push_back({"reflected",
                             {polygon_stroke(reflected.points, false),
-                             {"", drawn(refined(j("1/2"), reflected)), false, style::line(2)}}});
+                             {"", drawn(refined(j("1/2"), reflected)), false, style::curve(0)}}});
   for (const char* s : {"0", "1/2", "1", "3/2"}) {
     const ControlPolygon<Plane> polygon = clamped(s);
     const LimitPoints<Plane> at = limit_points(j(s), polygon);
@@ -473,14 +493,17 @@ void add_open_curves(Results& results) {
            at.tangents.back() == Plane(points[last] - points[last - 1]);
     drawing.panels.push_back(
         {fmt::format("clamped, *J_{}", s),
-         {polygon_stroke(points, false), {"", drawn(refined(j(s), polygon)), false, style::line(2)}}});
+         {polygon_stroke(points, false), {"", drawn(refined(j(s), polygon)), false, style::curve(0)}}});
   }
   results.claims.push_back(statement("figure.open.ends", ends));
   add_drawing(results, drawing);
 }
 
 void add_levels(Results& results, const Points& points) {
-  Drawing drawing{"figure-levels", "Levels 1 (grey) and 2: what a change of levels moves", {}};
+  Drawing drawing{"figure-levels",
+                  "Levels 1 (grey) and 2: what a change of levels moves",
+                  {},
+                  {"figure.levels", "figure.levels.cubic"}};
   const auto moved = [&](const char* s) {
     const Points coarse = refined(j(s), points, 1);
     return distance(refined(j(s), points, 2),
@@ -489,7 +512,7 @@ void add_levels(Results& results, const Points& points) {
   for (const char* s : {"0", "3/8", "1"}) {
     drawing.panels.push_back({fmt::format("J_{}", s),
                               {polygon_stroke(refined(j(s), points, 1)),
-                               {"", drawn(refined(j(s), points, 2)), true, style::line(2, 1.5)}}});
+                               {"", drawn(refined(j(s), points, 2)), true, style::curve(0, 1.5)}}});
   }
   results.claims.push_back(number("figure.levels", moved("3/8") / moved("0")));
   results.claims.push_back(number("figure.levels.cubic", moved("3/8") / moved("1")));
@@ -513,18 +536,20 @@ void add_notes(Results& results) {
   const Points four_limits = limit_derivatives(four, bare(2), 0, 0);
   results.claims.push_back(statement(
       "figure.notes.four-point", four_limits.front() == points[2] && four_limits.back() == points[last - 2]));
-  Drawing drawing{"figure-notes", "Open curves without added points: degree 1, cubic, four-point", {}};
+  Drawing drawing{"figure-notes",
+                  "Open curves without added points: degree 1, cubic, four-point",
+                  {},
+                  {"figure.notes.cubic", "figure.notes.four-point"}};
   const Scheme<Rational> linear = stationary("linear", linear_step<Rational>(2));
   for (const int depth : {1, 2}) {
-    drawing.panels.push_back(
-        {fmt::format("degree 1, level {}", depth),
-         {polygon_stroke(points, false),
-          {"", drawn(refined(linear, bare(0), depth)), false, "points pt 7 ps 0.5 lc rgb '#0072b2'"}}});
+    drawing.panels.push_back({fmt::format("degree 1, level {}", depth),
+                              {polygon_stroke(points, false),
+                               {"", drawn(refined(linear, bare(0), depth)), false, style::points(0, 0.4)}}});
   }
   const auto panel = [&](const char* caption, const Scheme<Rational>& scheme, std::size_t margin) {
     return Panel{
         caption,
-        {polygon_stroke(points, false), {"", drawn(refined(scheme, bare(margin))), false, style::line(2)}}};
+        {polygon_stroke(points, false), {"", drawn(refined(scheme, bare(margin))), false, style::curve(0)}}};
   };
   drawing.panels.push_back(panel("cubic", cubic, 1));
   drawing.panels.push_back(panel("four-point", four, 2));

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "experiments/report/figure_text.h"
+
 namespace subdiv {
 namespace {
 
@@ -49,31 +51,34 @@ void add_columns(Series& series, const std::string& name, const Stroke& stroke) 
 
 }  // namespace
 
-namespace style {
-
-std::string line(std::size_t i, double width) {
-  return fmt::format("lines lw {} lc rgb '{}'", width, colours[i % colours.size()]);
-}
-
-}  // namespace style
-
 void add_drawing(Results& results, const Drawing& drawing) {
   const Extent extent = extent_of(drawing.panels);
-  constexpr double gap =
-      0.12;  // beside a panel, in its width; below it, with the caption, twice in its height
+  constexpr double between = 14;       // panels, in units of the canvas
+  constexpr double with_caption = 44;  // below a panel
+  constexpr double tallest = 380;      // all rows
   constexpr std::size_t most_in_row = 4;
   const double width = extent.right - extent.left;
   const double height = extent.top - extent.bottom;
   const std::size_t count = drawing.panels.size();
-  const std::size_t rows = (count + most_in_row - 1) / most_in_row;
+  double widest = 0;
+  for (const Panel& panel : drawing.panels)
+    widest = std::max(widest, style::character_width * static_cast<double>(plain_text(panel.caption).size()));
+  const auto fitting = static_cast<std::size_t>(style::canvas_width / std::max(widest + between, 1.0));
+  const std::size_t columns_at_most = std::clamp<std::size_t>(fitting, 1, most_in_row);
+  const std::size_t rows = (count + columns_at_most - 1) / columns_at_most;
   const std::size_t columns = (count + rows - 1) / rows;
+  const double scale = std::min((style::canvas_width / static_cast<double>(columns) - between) / width,
+                                (tallest / static_cast<double>(rows) - with_caption) / height);
+  const double to_right = std::max(width + between / scale, (widest + between) / scale);
+  const double downwards = height + with_caption / scale;
   Series series{drawing.name, {}, {}};
-  Figure figure{drawing.name, drawing.title, "", "", {}, ""};
+  Figure figure{drawing.name, drawing.title, "", "", {}, "", drawing.claims};
+  figure.picture = true;
   for (std::size_t p = 0; p < count; ++p) {
     const Panel& panel = drawing.panels[p];
     const std::size_t row = p / columns;
-    const double right = static_cast<double>(p - row * columns) * width * (1 + gap);
-    const double up = -static_cast<double>(row) * height * (1 + 3 * gap);
+    const double right = static_cast<double>(p - row * columns) * to_right;
+    const double up = -static_cast<double>(row) * downwards;
     for (std::size_t k = 0; k < panel.strokes.size(); ++k) {
       const Stroke& stroke = panel.strokes[k];
       const std::string name =
@@ -84,16 +89,16 @@ void add_drawing(Results& results, const Drawing& drawing) {
       curve.up = up;
       figure.curves.push_back(std::move(curve));
     }
-    figure.setup += fmt::format("set label '{}' at {:.6g},{:.6g} center\n", panel.caption,
-                                right + (extent.left + extent.right) / 2, up + extent.bottom - gap * height);
+    for (FigureText text : panel.texts) {
+      text.x += right;
+      text.y += up;
+      figure.texts.push_back(std::move(text));
+    }
+    constexpr double below = 20;
+    if (!panel.caption.empty())
+      figure.texts.push_back(
+          {panel.caption, right + (extent.left + extent.right) / 2, up + extent.bottom - below / scale});
   }
-  const auto last_column = static_cast<double>(columns - 1);
-  const auto last_row = static_cast<double>(rows - 1);
-  figure.setup += fmt::format(
-      "set size ratio -1; set xrange [{:.6g}:{:.6g}]; set yrange [{:.6g}:{:.6g}]\n"
-      "set key below center horizontal; unset grid; unset border; unset tics",
-      extent.left - gap * width / 2, extent.right + gap * width / 2 + last_column * width * (1 + gap),
-      extent.bottom - 2 * gap * height - last_row * height * (1 + 3 * gap), extent.top + gap * height);
   results.series.push_back(std::move(series));
   results.figures.push_back(std::move(figure));
 }

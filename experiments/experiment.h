@@ -23,23 +23,34 @@ struct Curve {
   std::string series;
   std::string x;
   std::string y;
-  std::string label;                 // shown in the key; empty hides it
-  std::string style = "lines lw 2";  // gnuplot "with" clause: "points pt 7", "filledcurves closed"
+  std::string label;  // shown in the key; empty hides it
+  std::string style = {};  // from report/figure_style.h; empty: the look of curve i of a figure
   std::vector<std::string> more = {};
   double right = 0;  // the drawing moves the curve by this in x and y: panels side by side
   double up = 0;
 };
 
-/// A figure: results/figures/NAME.svg, drawn by gnuplot from series alone, byte-identical on every run.
+/// A text in a figure, in the coordinates of its curves.
+struct FigureText {
+  std::string text;
+  double x = 0;
+  double y = 0;
+  std::string place = "center";  // gnuplot's: "left offset 0.8,0" (in widths and heights of characters)
+};
+
+/// A figure: results/figures/NAME.svg, drawn by gnuplot from series alone, byte-identical on every run. Its
+/// style, and how its texts are written: report/figure_style.h.
 struct Figure {
   std::string name;
   std::string title;
   std::string x_label;
   std::string y_label;
   std::vector<Curve> curves;
-  std::string setup;                     // further gnuplot commands before the plot: ranges, arrows, logscale
+  std::string setup;                     // further gnuplot commands before the plot: ranges, logscale
   std::vector<std::string> claims = {};  // ids of the claims that the figure shows; a prefix that ends in "."
                                          // stands for all below it
+  std::vector<FigureText> texts = {};
+  bool picture = false;  // shapes in one scale, without axes
 };
 
 struct Results {

@@ -10,6 +10,7 @@
 #include "analysis/iterate_norm_range.h"
 #include "analysis/sign_on_interval.h"
 #include "analysis/three_tap_smoothness.h"
+#include "experiments/report/figure_style.h"
 #include "schemes/algebra/specialize.h"
 #include "schemes/jspline.h"
 
@@ -210,34 +211,34 @@ void add_figures(Results& results) {
         {decimal((Algebraic(1) + Algebraic(2) * worst).to_interval().midpoint()),
          decimal(three_tap_exponent(smoothing_factors, worst).midpoint())}}});
   results.series.push_back(range_series());
-  const std::string bar = "linespoints pt 2 ps 0.35 ";
   results.figures.push_back(
       {"smooth-exponent",
-       "Hoelder exponent of the limits of *J_s, and ranges of s with C^m limits",
-       "s",
-       "exponent; bars at the height m",
-       {{"smooth-exponent", "s", "exponent", "exponent", "lines lw 2.5 lc rgb '#0072b2'"},
-        {"smooth-exponent-points", "s", "exponent", "", "points pt 7 ps 0.5 lc rgb '#0072b2'"},
-        {"smooth-ranges", "s", "exact", "C^m exactly", "lines lw 4 lc rgb '#000000'"},
-        {"smooth-ranges", "s", "printed", "printed", bar + "lw 3 lc rgb '#d55e00'"},
-        {"smooth-ranges", "s", "k=20", "power 20", bar + "lc rgb '#009e73'"},
-        {"smooth-ranges", "s", "k=10", "power 10", bar + "lc rgb '#56b4e9'"},
-        {"smooth-ranges", "s", "k=5", "power 5", bar + "lc rgb '#e69f00'"},
-        {"smooth-ranges", "s", "k=1", "power 1", bar + "lc rgb '#cc79a7'"}},
-       "set xrange [-6.5:10.5]; set yrange [-0.8:5.3]; set xtics 2; set key outside"});
+       "Hoelder exponent of *J_s, and ranges of s with C^m limits (bars at the height m)",
+       "parameter s",
+       "exponent, order m",
+       {{"smooth-exponent", "s", "exponent", "exponent"},
+        {"smooth-exponent-points", "s", "exponent", "", style::points(0, 0.5)},
+        {"smooth-ranges", "s", "exact", "C^m exactly", style::in_colour(style::black, 4)},
+        {"smooth-ranges", "s", "printed", "printed", style::marked(1)},
+        {"smooth-ranges", "s", "k=20", "power 20", style::marked(2)},
+        {"smooth-ranges", "s", "k=10", "power 10", style::marked(6)},
+        {"smooth-ranges", "s", "k=5", "power 5", style::marked(4)},
+        {"smooth-ranges", "s", "k=1", "power 1", style::marked(3)}},
+       "set xrange [-6.5:10.5]; set yrange [-0.8:5.3]; set xtics 2; set ytics 1",
+       {"smooth.exact.", "smooth.sufficient.", "smooth.necessary.", "smooth.exponent."}});
   results.figures.push_back(
       {"smooth-exponent-zoom",
-       "Hoelder exponent of the limits of *J_s near the quintic B-spline, *J_{3/2}",
-       "s",
+       "Hoelder exponent of *J_s about *J_{3/2}, the quintic B-spline; shapes of its extremal norm",
+       "parameter s",
        "exponent",
-       {{"smooth-exponent-zoom", "s", "exponent", "exponent", "lines lw 2.5 lc rgb '#0072b2'"},
-        {"smooth-exponent-points", "s", "exponent", "3/2, (11+√2)/7", "points pt 7 ps 0.7 lc rgb '#d55e00'"}},
-       "set xrange [0.9:3.1]; set yrange [2.8:5.1]; "
-       "set object 1 rectangle from first 1.5, graph 0 to first 2, graph 1 fc rgb '#eeeeee' fs solid "
+       {{"smooth-exponent-zoom", "s", "exponent", "exponent"},
+        {"smooth-exponent-points", "s", "exponent", "3/2, (11+√2)/7", style::points(1)}},
+       "set xrange [0.9:3.1]; set yrange [2.6:5.2]; set xtics 0.5; set ytics 0.5; "
+       "set object 1 rectangle from first 1.5, graph 0 to first 2, graph 1 fc rgb '#e4e4e4' fs solid "
        "noborder "
-       "behind; set label 1 'octagon' at first 1.75, graph 0.06 center; "
-       "set label 2 'diamond' at first 1.25, graph 0.06 center; "
-       "set label 3 'hexagon' at first 2.55, graph 0.06 center"});
+       "behind",
+       {"smooth.exponent."},
+       {{"diamond", 1.2, 2.75}, {"octagon", 1.75, 2.75}, {"hexagon", 2.55, 2.75}}});
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "analysis/basis_function.h"
+#include "experiments/report/figure_style.h"
 #include "optimize/problem.h"
 #include "schemes/algebra/univariate.h"
 #include "schemes/bspline.h"
@@ -221,11 +222,12 @@ void add_drift(Results& results) {
   }
   results.series.push_back(std::move(series));
   results.figures.push_back({"drift",
-                             "Worst distance of limit points from their vertices",
-                             "s",
-                             "distance / largest second difference",
-                             {{"drift", "s", "drift", "*J_s"}},
-                             "set yrange [0:*]"});
+                             "How far limit points of *J_s lie from their vertices at most",
+                             "parameter s",
+                             "distance (in the largest second difference of the polygon)",
+                             {{"drift", "s", "drift", ""}},
+                             "set yrange [0:*]; set ytics 0.05",
+                             {"drift"}});
 }
 
 }  // namespace

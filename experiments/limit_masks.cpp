@@ -7,6 +7,7 @@
 #include "analysis/limit_mask.h"
 #include "analysis/open_ends.h"
 #include "analysis/retrofit.h"
+#include "experiments/report/figure_style.h"
 #include "schemes/algebra/univariate.h"
 #include "schemes/jspline.h"
 
@@ -262,16 +263,16 @@ void add_rates(Results& results) {
     series.rows.push_back(std::move(row));
   }
   results.series.push_back(std::move(series));
-  results.figures.push_back(
-      {"retrofit-rate",
-       "Factor by which one retrofitting step reduces the error",
-       "s",
-       "spectral radius of I - L",
-       {{"retrofit-rate", "s", "infinite", "infinite polygon, even loops"},
-        {"retrofit-rate", "s", "n=3", "loop of 3"},
-        {"retrofit-rate", "s", "n=5", "loop of 5"},
-        {"retrofit-rate", "s", "n=7", "loop of 7"}},
-       "set yrange [0:1.6]; set arrow from graph 0, first 1 to graph 1, first 1 nohead dt 2"});
+  results.figures.push_back({"retrofit-rate",
+                             "Factor by which one retrofitting step for *J_s reduces the error",
+                             "parameter s",
+                             "factor a step (spectral radius)",
+                             {{"retrofit-rate", "s", "infinite", "even loops, infinite"},
+                              {"retrofit-rate", "s", "n=3", "loop of 3 points"},
+                              {"retrofit-rate", "s", "n=5", "loop of 5 points"},
+                              {"retrofit-rate", "s", "n=7", "loop of 7 points"}},
+                             "set yrange [0:1.4]; " + style::across("1"),
+                             {"retrofit."}});
 }
 
 }  // namespace

@@ -143,22 +143,22 @@ void add_handles(Results& results) {
   constexpr double cell = 230;
   constexpr double row_height = 150;
   constexpr double scale = 20;
-  constexpr unsigned gold = 0xF2C14E;
-  constexpr unsigned grey = 0xC8C8C8;
   const ExactMesh mesh = exact_mesh(stored("mesh-handles.obj"));
   std::vector<Curve> curves;
+  std::vector<FigureText> captions;
   constexpr int columns = 3;
-  const auto draw = [&](const std::string& name, const ExactMesh& shape, int panel, Paint paint,
-                        unsigned colour) {
+  const auto draw = [&](const std::string& name, const std::string& caption, const ExactMesh& shape,
+                        int panel, unsigned colour) {
     const int row = panel / columns;
     const int column = panel % columns;
     Series series = polygons("mesh-handles-" + name);
     add_quads(series, drawn_faces(shape), true,
-              {view_from({2, -5, 4}), scale, {column * cell, -row * row_height}}, paint, colour);
+              {view_from({2, -5, 4}), scale, {column * cell, -row * row_height}}, Paint::shaded, colour);
     curves.push_back(filled(series));
     results.series.push_back(std::move(series));
+    captions.push_back({caption, column * cell, -row * row_height - 0.55 * row_height});
   };
-  draw("control", mesh, 0, Paint::shaded, grey);
+  draw("control", "control mesh", mesh, 0, style::lit_grey);
   const int count = characteristic(mesh.topology);
   bool same = characteristic_by_valences(mesh.topology) == Rational(count);
   const std::vector<std::pair<std::string, Rational>> shapes{
@@ -169,12 +169,12 @@ void add_handles(Results& results) {
     same = same && characteristic(fine.topology) == count &&
            characteristic_by_valences(fine.topology) == Rational(count);
     results.claims.push_back(number("figure.mesh.volume." + name, volume(fine) / volume(mesh)));
-    draw(name, fine, panel++, Paint::shaded, gold);
+    draw(name, "s = " + s.to_string(), fine, panel++, style::lit_orange);
   }
   results.claims.push_back(settle_statement(claim("figure.mesh.valences"), same, std::to_string(count)));
-  results.figures.push_back(bare_figure(
-      "mesh-handles", "Control mesh and two levels of jspline-mesh, s = 0, 1/2, 1, 3/2 (jsplines figure 14)",
-      std::move(curves), ""));
+  results.figures.push_back(bare_figure("mesh-handles",
+                                        "A control mesh, and two levels of jspline-mesh (jsplines figure 14)",
+                                        std::move(curves), std::move(captions), {"figure.mesh."}));
 }
 
 // ---- Notes, figures 5 .. 9
@@ -183,7 +183,6 @@ void add_tetrahedron(Results& results) {
   constexpr int levels = 4;
   constexpr std::array<double, levels + 1> places{0, 105, 155, 205, 255};
   constexpr double scale = 45;
-  constexpr unsigned blue = 0x7FB5E6;
   const ExactMesh first = exact_mesh(stored("mesh-tetrahedron.obj"));
   std::vector<Curve> curves;
   Series volumes{"mesh-tetrahedron-volumes", {"level", "volume"}, {}};
@@ -198,7 +197,7 @@ void add_tetrahedron(Results& results) {
     Series series = polygons(fmt::format("mesh-tetrahedron-{}", level));
     add_quads(series, drawn_faces(mesh), true,
               {view_from({2, -5, 4}), scale, {places[static_cast<std::size_t>(level)], 0}}, Paint::shaded,
-              blue);
+              style::lit_sky);
     curves.push_back(filled(series));
     results.series.push_back(std::move(series));
   }
@@ -206,7 +205,8 @@ void add_tetrahedron(Results& results) {
   results.claims.push_back(number("figure.notes.tetrahedron.volume", volume(mesh) / volume(first)));
   results.series.push_back(std::move(volumes));
   results.figures.push_back(bare_figure("mesh-tetrahedron", "Loop's scheme on a tetrahedron (notes figure 5)",
-                                        std::move(curves), ""));
+                                        std::move(curves), {},
+                                        {"figure.notes.tetrahedron", "figure.notes.tetrahedron.volume"}));
 }
 
 /// A diagram in the plane: edges of a mesh seen from above, and texts.
@@ -221,21 +221,19 @@ class Diagram {
     curves_.push_back(drawn(series, "", style));
     series_.push_back(std::move(series));
   }
-  void add_dots(const std::string& part, const std::vector<Eigen::Vector3d>& points,
-                const std::string& colour) {
+  void add_dots(const std::string& part, const std::vector<Eigen::Vector3d>& points) {
     Series series = polylines(name_ + "-" + part);
     add_line(series, points, false, above_);
-    curves_.push_back(drawn(series, "", "points pt 7 ps 0.8 lc rgb '" + colour + "'"));
+    curves_.push_back(drawn(series, "", style::bright_dot));
     series_.push_back(std::move(series));
   }
   void add_text(const std::string& text, const Eigen::Vector3d& at) {
     const Eigen::Vector2d p = above_.centre + above_.scale * above_.view.project(at);
-    setup_ +=
-        fmt::format("set label '{}' at {:.1f},{:.1f} center offset 1.2,0.7 front\n", text, p.x(), p.y());
+    texts_.push_back({text, p.x(), p.y(), "left offset 0.6,0.7"});
   }
-  void add_to(Results& results) {
+  void add_to(Results& results, std::vector<std::string> claims) {
     results.figures.push_back(
-        bare_figure(name_, title_, std::move(curves_), setup_ + "set offsets 20, 20, 20, 20"));
+        bare_figure(name_, title_, std::move(curves_), std::move(texts_), std::move(claims)));
     for (Series& series : series_) results.series.push_back(std::move(series));
   }
 
@@ -245,7 +243,7 @@ class Diagram {
   Placement above_{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, 40, {0, 0}};
   std::vector<Curve> curves_;
   std::vector<Series> series_;
-  std::string setup_;
+  std::vector<FigureText> texts_;
 };
 
 Eigen::Vector3d vector_of(const SpacePoint& p) {
@@ -265,9 +263,6 @@ std::vector<std::array<Eigen::Vector3d, 2>> edges_of(const ExactMesh& mesh, cons
   }
   return edges;
 }
-
-constexpr const char* black = "lines lw 1.5 lc rgb '#000000'";
-constexpr const char* red = "lines lw 1 lc rgb '#d55e00'";
 
 constexpr int ring = 8;  // P1 .. P8 have the numbers 0 .. 7, P9 has 8
 
@@ -301,10 +296,11 @@ void add_split(Results& results, const ExactMesh& mesh) {
   diagram.add_edges(
       "fine",
       edges_of(middle, [&](int v) { return middle.points[static_cast<std::size_t>(v)][2] >= Rational(0); }),
-      red);
-  diagram.add_edges("coarse", edges_of(mesh, [](int v) { return v <= ring; }), black);
-  diagram.add_dots("vertices", dots, "#d55e00");
-  diagram.add_to(results);
+      style::in_colour(style::vermilion, 1.2));
+  diagram.add_edges("coarse", edges_of(mesh, [](int v) { return v <= ring; }),
+                    style::in_colour(style::black, 1.5));
+  diagram.add_dots("vertices", dots);
+  diagram.add_to(results, {"figure.notes.split"});
 }
 
 /// Whether a stencil is these weights at these vertices.
@@ -330,14 +326,15 @@ void add_example(Results& results, const ExactMesh& mesh) {
                                             "5/8 P9 + 3/64 (P1 + P2 + .. + P8)"));
   Diagram diagram("mesh-loop-example",
                   "A vertex of valence 8, the point Q of an edge, the new P9 (notes figure 8)");
-  diagram.add_edges("mesh", edges_of(mesh, [](int v) { return v <= ring; }), black);
+  diagram.add_edges("mesh", edges_of(mesh, [](int v) { return v <= ring; }),
+                    style::in_colour(style::black, 1.5));
   for (int v = 0; v <= ring; ++v)
     diagram.add_text(fmt::format("P{}", v + 1), vector_of(mesh.points[static_cast<std::size_t>(v)]));
   const std::vector<Eigen::Vector3d> points{vector_of(combine(edge, mesh.points)),
                                             vector_of(combine(vertex, mesh.points))};
   diagram.add_text("Q", points[0]);
-  diagram.add_dots("points", points, "#d55e00");
-  diagram.add_to(results);
+  diagram.add_dots("points", points);
+  diagram.add_to(results, {"notes.loop.example."});
 }
 
 /// The place of a vertex of fan_topology(3, 6, rings) on the lattice.
@@ -428,10 +425,10 @@ void add_weights(Diagram& diagram, const std::string& part, const Stencil<Ration
     const int b = fan.target(fan.half_edge(e));
     if (stencil.weight(a).sign() != 0 && stencil.weight(b).sign() != 0) edges.push_back({at(a), at(b)});
   }
-  diagram.add_edges(part, edges, black);
+  diagram.add_edges(part, edges, style::in_colour(style::black, 1.5));
   for (const auto& [vertex, weight] : stencil.terms()) diagram.add_text(weight.to_string(), at(vertex));
   point = 2 * Eigen::Vector3d(point.x() + point.y() / 2, point.y() * height, 0);
-  diagram.add_dots(part + "-point", {point + shift}, "#d55e00");
+  diagram.add_dots(part + "-point", {point + shift});
 }
 
 void add_weight_diagrams(Results& results) {
@@ -445,10 +442,10 @@ void add_weight_diagrams(Results& results) {
                 "Loop's weights: of an edge, and of a vertex of valence 6 (notes figure 7)");
   add_weights(loops, "edge", loop<Rational>().edge_rule(fan, h), places, fan, middle, {0, 0, 0});
   add_weights(loops, "vertex", loop<Rational>().vertex_rule(fan, 0), places, fan, {0, 0, 0}, {7, 0, 0});
-  loops.add_to(results);
+  loops.add_to(results, {"notes.loop.edge", "notes.loop.vertex", "notes.loop.valence-3"});
   Diagram wings("mesh-butterfly-weights", "The butterfly scheme's weights (notes figure 9)");
   add_weights(wings, "edge", butterfly<Rational>().edge_rule(fan, h), places, fan, middle, {0, 0, 0});
-  wings.add_to(results);
+  wings.add_to(results, {"notes.butterfly.weights"});
 }
 
 Rational power(const Rational& x, int k) { return k == 0 ? Rational(1) : x * power(x, k - 1); }

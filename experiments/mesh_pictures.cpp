@@ -47,7 +47,7 @@ std::vector<SpaceQuad> mesh_quads(const PolygonFaces& faces, std::span<const Poi
 void write_picture(OutputFile& file, std::vector<SpaceQuad> quads, bool closed) {
   constexpr double pixels = 800;
   constexpr double margin = 20;
-  constexpr unsigned gold = 0xF2C14E;
+  constexpr unsigned colour_of_mesh = style::lit_orange;
   const View view = view_from({2, -5, 4});
   Eigen::AlignedBox2d frame;
   for (const SpaceQuad& quad : quads) {
@@ -60,7 +60,7 @@ void write_picture(OutputFile& file, std::vector<SpaceQuad> quads, bool closed) 
   // Pictures of figures have y upwards, SVG files downwards: the highest point is at y = -margin.
   const Eigen::Vector2d shift(margin - frame.min().x() * scale, -margin - frame.max().y() * scale);
   Series series = polygons("mesh");
-  add_quads(series, std::move(quads), closed, {view, scale, shift}, Paint::shaded, gold);
+  add_quads(series, std::move(quads), closed, {view, scale, shift}, Paint::shaded, colour_of_mesh);
   const Eigen::Vector2d size = frame.sizes() * scale + Eigen::Vector2d(2 * margin, 2 * margin);
   file.write(
       fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.6g}\" height=\"{1:.6g}\" "

@@ -16,6 +16,7 @@
 #include "experiments/mesh_smoothness_limit.h"
 #include "experiments/mesh_smoothness_ranges.h"
 #include "experiments/mesh_smoothness_text.h"
+#include "experiments/report/figure_style.h"
 #include "schemes/jspline.h"
 #include "schemes/mesh/butterfly.h"
 #include "schemes/mesh/jspline_mesh.h"
@@ -250,15 +251,18 @@ void add_butterfly(Results& results) {
 }
 
 void add_figure(Results& results) {
-  Figure figure{"mesh-range", "Where the eigenvalue condition holds at a vertex of valence n",
-                "valence",    "s",
-                {},           "set xrange [3:40]; set yrange [-2:6]"};
-  for (const auto& [name, label, colour] :
-       {std::tuple{"directional", "directional", "#0072b2"}, std::tuple{"literal", "literal", "#d55e00"}}) {
-    const std::string series = std::string("mesh-range-") + name;
-    const std::string style = std::string("linespoints pt 7 ps 0.4 lc rgb '") + colour + "'";
-    figure.curves.push_back({series, "valence", "upper", label, style});
-    figure.curves.push_back({series, "valence", "lower", "", style});
+  Figure figure{"mesh-range",
+                "Where the eigenvalue condition holds at a vertex of n edges: between the two lines",
+                "edges n at the vertex",
+                "parameter s",
+                {},
+                "set xrange [3:40]; set yrange [-2:6.2]; set xtics (3, 5, 10, 15, 20, 25, 30, 35, 40)",
+                {"mesh.range.", "mesh.valence-limit."}};
+  for (const std::string name : {"directional", "literal"}) {
+    const std::string series = "mesh-range-" + name;
+    const std::string drawn = style::marked(figure.curves.size() / 2);
+    figure.curves.push_back({series, "valence", "upper", name, drawn});
+    figure.curves.push_back({series, "valence", "lower", "", drawn});
   }
   results.figures.push_back(std::move(figure));
 }

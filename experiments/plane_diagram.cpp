@@ -32,23 +32,17 @@ void PlaneDiagram::add_dots(const std::string& part, const std::vector<NamedSpot
   for (const auto& [name, p] : dots) {
     series.rows.push_back({name, decimal(p.x), decimal(p.y)});
     if (!name.empty())
-      setup_ += fmt::format("set label '{}' at {},{} center offset {:.2f},{:.2f} font ',12' front boxed\n",
-                            name, decimal(p.x), decimal(p.y), shift.x, shift.y);
+      texts_.push_back({name, p.x, p.y, fmt::format("center offset {:.2f},{:.2f}", shift.x, shift.y)});
   }
   curves_.push_back(drawn(series, "", style));
   series_.push_back(std::move(series));
 }
 
-void PlaneDiagram::add_text(const std::string& text, Spot spot, int size) {
-  setup_ += fmt::format("set label '{}' at {},{} center font ',{}' front\n", text, decimal(spot.x),
-                        decimal(spot.y), size);
-}
+void PlaneDiagram::add_text(const std::string& text, Spot spot) { texts_.push_back({text, spot.x, spot.y}); }
 
-void PlaneDiagram::add_to(Results& results, Spot lower, Spot upper) {
-  setup_ += "set style textbox opaque noborder margins 0.3, 0.2\n";  // lines do not cross names
-  setup_ += fmt::format("set xrange [{}:{}]; set yrange [{}:{}]; set lmargin 1; set rmargin 1; set bmargin 1",
-                        decimal(lower.x), decimal(upper.x), decimal(lower.y), decimal(upper.y));
-  results.figures.push_back(bare_figure(name_, title_, std::move(curves_), setup_));
+void PlaneDiagram::add_to(Results& results, std::vector<std::string> claims) {
+  results.figures.push_back(
+      bare_figure(name_, title_, std::move(curves_), std::move(texts_), std::move(claims)));
   for (Series& series : series_) results.series.push_back(std::move(series));
 }
 

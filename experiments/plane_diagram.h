@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "experiments/experiment.h"
+#include "experiments/report/figure_style.h"
 
 namespace subdiv {
 
@@ -33,26 +34,17 @@ class PlaneDiagram {
   void add_dots(const std::string& part, const std::vector<NamedSpot>& dots, const std::string& style,
                 Spot shift = {1.8, 0.3});
   /// A caption, centred.
-  void add_text(const std::string& text, Spot spot, int size = 14);
+  void add_text(const std::string& text, Spot spot);
 
-  /// The frame is (lower, upper).
-  void add_to(Results& results, Spot lower, Spot upper);
+  /// `claims` as in Figure.
+  void add_to(Results& results, std::vector<std::string> claims);
 
  private:
   std::string name_;
   std::string title_;
   std::vector<Series> series_;
   std::vector<Curve> curves_;
-  std::string setup_;
+  std::vector<FigureText> texts_;
 };
-
-namespace diagram_style {
-inline const std::string thin = "lines lw 0.8 lc rgb '#bbbbbb'";
-inline const std::string line = "lines lw 1.2 lc rgb '#555555'";
-inline const std::string thick = "lines lw 2 lc rgb '#0072b2'";
-inline const std::string dot = "points pt 7 ps 0.6 lc rgb '#000000'";
-inline const std::string pale_dot = "points pt 7 ps 0.6 lc rgb '#aaaaaa'";
-inline const std::string bright_dot = "points pt 7 ps 0.7 lc rgb '#d55e00'";
-}  // namespace diagram_style
 
 }  // namespace subdiv

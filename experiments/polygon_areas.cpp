@@ -5,6 +5,7 @@
 #include "analysis/real_set.h"
 #include "experiments/area_schemes.h"
 #include "experiments/polygon_curves.h"
+#include "experiments/report/figure_style.h"
 #include "experiments/simple_polygons.h"
 
 namespace subdiv {
@@ -62,10 +63,11 @@ void add_figure(Results& results, std::vector<std::pair<std::string, std::vector
   Series series{"area-usually", {"share"}, {}};
   Figure figure{"area-usually",
                 "Area errors on simple polygons",
-                "|area of the limit curve / area of the polygon - 1|",
+                "error (fraction of the polygon's area)",
                 "share of polygons with a smaller error",
                 {},
-                "set logscale x; set format x '%.0e'; set key top left; set yrange [0:1]"};
+                style::log_x + "set yrange [0:1]",
+                {"family.area-usually.", "family.area-usually", "area.tendency."}};
   for (auto& [name, errors] : schemes) {
     std::ranges::sort(errors);
     series.columns.push_back(name);

@@ -5,6 +5,7 @@
 
 #include "analysis/hausdorff_distance.h"
 #include "experiments/polygon_curves.h"
+#include "experiments/report/figure_style.h"
 #include "experiments/simple_polygons.h"
 #include "schemes/evaluate/level_by_level.h"
 #include "schemes/jspline.h"
@@ -126,13 +127,12 @@ void add_figure(Results& results) {
   constexpr int digits = 12;
   Series series{"popping-fixed", {"s"}, {}};
   Figure figure{"popping-fixed",
-                "Disparity of consecutive levels on simple polygons",
-                "s",
-                "mean disparity in mean edges",
+                "How far a new level of *J_s moves simple polygons (dashed: s = 3/8)",
+                "parameter s",
+                "mean distance (mean edges of the polygon)",
                 {},
-                "set logscale y; set format y '%.0e'; set key bottom left; set arrow from 0.375, graph 0 to "
-                "0.375, graph 1 nohead "
-                "dt 2"};
+                style::log_y + style::upright("0.375"),
+                {"popping.fixed.", "popping.fixed"}};
   for (std::size_t k = 1; k <= levels; ++k) {
     const std::string name = fmt::format("level {}", k);
     series.columns.push_back(name);

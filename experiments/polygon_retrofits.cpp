@@ -9,6 +9,7 @@
 #include "analysis/limit_points.h"
 #include "analysis/retrofit.h"
 #include "experiments/polygon_curves.h"
+#include "experiments/report/figure_style.h"
 #include "experiments/simple_polygons.h"
 #include "schemes/algebra/univariate.h"
 #include "schemes/jspline.h"
@@ -202,12 +203,13 @@ void add_iterations(Results& results) {
       "retrofit.realtime.quick. The later document narrows the range to -0.75 < s < 1.5."));
   results.series.push_back(std::move(series));
   results.figures.push_back({"retrofit-iterations",
-                             "Retrofitting simple polygons to 1/1000",
-                             "s",
+                             "Steps until retrofitting leaves 1/1000 of the error, on simple polygons",
+                             "parameter s",
                              "steps",
-                             {{"retrofit-iterations", "s", "largest", "largest", "linespoints pt 7 ps 0.4"},
-                              {"retrofit-iterations", "s", "mean", "mean", "linespoints pt 7 ps 0.4"}},
-                             "set logscale y; set key top center"});
+                             {{"retrofit-iterations", "s", "largest", "largest", style::marked(0)},
+                              {"retrofit-iterations", "s", "mean", "mean", style::marked(1)}},
+                             "set logscale y",
+                             {"retrofit.realtime.", "retrofit.realtime"}});
 }
 
 /// For each span of a loop of 12 points, from the moved vertex on, how far the retrofitted limit curve moves

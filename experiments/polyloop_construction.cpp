@@ -107,14 +107,14 @@ Results run_polyloop_construction() {
   Results results;
   const PlanePolygon& square = stored_polyloop("square");
   for (const Row& row : rows) {
-    Drawing drawing{row.name, row.title, {}};
+    Drawing drawing{row.name, row.title, {}, {row.id}};
     for (const std::string& letters : row.sequences) {
       const Chain chain = after(letters, square);
       drawing.panels.push_back({letters,
-                                {{"", plane(chain), true, "filledcurves closed fc rgb '#fff3b0' fs solid"},
-                                 {"", laplace_vectors(chain), true, "lines lw 1 lc rgb '#0072b2'"},
-                                 {"", plane(chain), true, "points pt 7 ps 0.3 lc rgb '#d55e00'"},
-                                 {"", square, true, "lines lw 1.5 lc rgb '#009e73'"}}});
+                                {{"", plane(chain), true, style::region(style::faint)},
+                                 {"", laplace_vectors(chain), true, style::in_colour(style::blue, 1)},
+                                 {"", plane(chain), true, style::points(1, 0.3)},
+                                 {"", square, true, style::polygon}}});
     }
     add_drawing(results, drawing);
     const Rational area = doubled_area(plane(after(row.sequences.back(), square)));

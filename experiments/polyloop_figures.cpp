@@ -39,11 +39,6 @@ using Plane = Eigen::Matrix<Rational, 2, 1>;
 using Points = std::vector<Plane>;
 
 const std::vector<std::string> inwards_out{"J0", "J2", "J4", "J6", "J8"};
-/// Green, red and blue as in the chapter where it names colours.
-const std::vector<std::string> colours{"#009e73", "#56b4e9", "#0072b2", "#e69f00", "#d55e00"};
-std::string in_colour(const std::string& colour, double width = 1.5) {
-  return fmt::format("lines lw {} lc rgb '{}'", width, colour);
-}
 
 Points points_of(const PlanePolygon& polygon) {
   Points points;
@@ -123,14 +118,17 @@ PlanePolygon in_unit_box(const PlanePolygon& points, const PlanePolygon& box) {
 }
 
 void add_family(Results& results) {
-  Drawing drawing{"polyloop-family", "J0, J2, J4, J6, J8 inwards out", {}};
+  Drawing drawing{"polyloop-family",
+                  "J0, J2, J4, J6, J8 from the inside outwards",
+                  {},
+                  {"figure.polyloops.inwards-out."}};
   for (const char* name : {"square", "non-convex"}) {
     const PlanePolygon& polygon = stored_polyloop(name);
     Panel panel{name, {polygon_stroke(in_unit_box(polygon, polygon))}};
     for (std::size_t i = 0; i < inwards_out.size(); ++i) {
       panel.strokes.push_back({drawing.panels.empty() ? inwards_out[i] : "",
                                in_unit_box(plane(curve(inwards_out[i], polygon)), polygon), true,
-                               in_colour(colours[i])});
+                               style::curve(i, 1.5)});
     }
     drawing.panels.push_back(std::move(panel));
     const int outside = outside_next(polygon);
@@ -148,14 +146,16 @@ void add_family(Results& results) {
 void add_superposed(Results& results) {
   const PlanePolygon& polygon = stored_polyloop("crossing");
   Panel panel{"", {}};
+  constexpr std::array shades{style::blue, style::vermilion, style::green, style::purple, style::orange};
   for (std::size_t i = inwards_out.size(); i-- > 0;) {
     panel.strokes.push_back(
-        {inwards_out[i], plane(curve(inwards_out[i], polygon)), true,
-         fmt::format("filledcurves closed fc rgb '{}' fs transparent solid 0.25 border lc rgb '{}'",
-                     colours[i], colours[i])});
+        {inwards_out[i], plane(curve(inwards_out[i], polygon)), true, style::glass(shades.at(i))});
   }
   panel.strokes.push_back(polygon_stroke(polygon));
-  add_drawing(results, {"polyloop-superposed", "Regions of J8 .. J0, self-intersecting polyloop", {panel}});
+  add_drawing(results, {"polyloop-superposed",
+                        "Regions of J8 .. J0 about a polyloop that crosses itself",
+                        {panel},
+                        {"figure.polyloops.superposed"}});
   results.claims.push_back(number(
       "figure.polyloops.superposed", doubled_area(curve("J8", polygon)) / doubled_area(curve("J0", polygon)),
       "Parts of the region count by their winding number, which is negative in the larger one."));
@@ -166,11 +166,12 @@ void add_j4_j5(Results& results) {
   const Points j4 = curve("J4", polygon);
   const Points j5 = curve("J5", polygon);
   add_drawing(results, {"polyloop-j4-j5",
-                        "J4 and J5",
+                        "J4 and J5 of the polyloop L",
                         {{"",
                           {{"L", polygon, true, style::polygon},
-                           {"J4", plane(j4), true, in_colour("#0072b2", 2)},
-                           {"J5", plane(j5), true, in_colour("#d55e00", 2)}}}}});
+                           {"J4", plane(j4), true, style::curve(0)},
+                           {"J5", plane(j5), true, style::curve(1)}}}},
+                        {"figure.polyloops.j4-j5"}});
   results.claims.push_back(number("figure.polyloops.j4-j5", doubled_area(j5) / doubled_area(j4)));
 }
 
@@ -208,21 +209,24 @@ PlanePolygon comb(const Polyline& curve, double scale) {
 }
 
 void add_jerk(Results& results) {
-  const std::array<std::pair<std::string, std::string>, 3> shown{
-      std::pair{"J0", "#009e73"}, {"Jm", "#8b5a2b"}, {"J8", "#d55e00"}};
-  Drawing drawing{"polyloop-jerk", "Normal jerk of J0, Jm and J8, level 4, in one scale", {}};
+  const std::array<std::pair<std::string, std::string_view>, 3> shown{
+      std::pair{"J0", style::green}, {"Jm", style::blue}, {"J8", style::vermilion}};
+  Drawing drawing{"polyloop-jerk",
+                  "Normal jerk of J0, Jm and J8 (level 4), all combs in one scale",
+                  {},
+                  {"figure.polyloops.jerk", "figure.polyloops.jerk.jm", "polyloops.jerk."}};
   constexpr double longest_tooth = 1.8;  // in the polygons' units
   for (const char* name : {"square", "non-convex"}) {
     const PlanePolygon& polygon = stored_polyloop(name);
     const double longest = normal_jerk(refined(polyloop_curve("J8"), polygon, jerk_level)).largest;
     for (const auto& [curve_name, colour] : shown) {
       const Polyline fine = refined(polyloop_curve(curve_name), polygon, jerk_level);
-      drawing.panels.push_back(
-          {fmt::format("{}, {}", curve_name, name),
-           {polygon_stroke(in_unit_box(polygon, polygon)),
-            {"", in_unit_box(plane(curve(curve_name, polygon, jerk_level)), polygon), true,
-             in_colour("#000000", 1)},
-            {"", in_unit_box(comb(fine, longest_tooth / longest), polygon), true, in_colour(colour, 0.7)}}});
+      drawing.panels.push_back({fmt::format("{}, {}", curve_name, name),
+                                {polygon_stroke(in_unit_box(polygon, polygon)),
+                                 {"", in_unit_box(plane(curve(curve_name, polygon, jerk_level)), polygon),
+                                  true, style::in_colour(style::black, 1)},
+                                 {"", in_unit_box(comb(fine, longest_tooth / longest), polygon), true,
+                                  style::in_colour(colour, 1)}}});
     }
   }
   add_drawing(results, drawing);
@@ -237,12 +241,12 @@ void add_jerk(Results& results) {
 
 void add_row(Results& results) {
   const PlanePolygon& polygon = stored_polyloop("star");
-  Drawing drawing{"polyloop-row", "L, J0, J2, J4, J5, J6, J8, Jm", {}};
-  drawing.panels.push_back({"L", {{"", polygon, true, in_colour("#000000")}}});
+  Drawing drawing{"polyloop-row", "A polyloop L and its curves J0 .. Jm", {}, {"figure.polyloops.row"}};
+  drawing.panels.push_back({"L", {{"", polygon, true, style::in_colour(style::black, 1.5)}}});
   for (const PolyloopCurve& shown : polyloop_curves()) {
     drawing.panels.push_back(
         {shown.name,
-         {polygon_stroke(polygon), {"", plane(curve(shown.name, polygon)), true, in_colour("#0072b2", 2)}}});
+         {polygon_stroke(polygon), {"", plane(curve(shown.name, polygon)), true, style::curve(0)}}});
   }
   add_drawing(results, drawing);
   results.claims.push_back(

@@ -82,16 +82,15 @@ void add_transfer(Results& results) {
   }
   Figure figure{
       "polyloops-transfer",
-      "Fraction of each frequency that smoothing operators keep",
-      "ω/π",
-      "transfer function",
+      "What smoothing operators keep of each frequency",
+      "frequency ω/π (1: every second vertex)",
+      "factor g(ω)",
       {},
-      "set xrange [0:1]; set yrange [-1.8:2]; set key bottom left Left reverse; set arrow from 0,1 to 1,1 "
-      "nohead dt 2; "
-      "set arrow from 0.5,-1 to 1,-1 nohead dt 2"};
+      "set xrange [0:1]; set yrange [-1.8:2]; set ytics 0.5\n" + style::across("1") + style::across("-1"),
+      {"figure.polyloops.transfer", "figure.polyloops.transfer.crossing"}};
   for (std::size_t i = 0; i < filters.size(); ++i)
     figure.curves.push_back(
-        {series.name, series.columns[0], filters[i].name, filters[i].name, style::line(i)});
+        {series.name, series.columns[0], filters[i].name, filters[i].name, style::curve(i)});
   results.series.push_back(std::move(series));
   results.figures.push_back(std::move(figure));
 
@@ -153,8 +152,12 @@ void add_noisy(Results& results) {
     loop[1].vertices.push_back(y);
   }
   const Rational whole = area(loop);
-  Drawing drawing{"polyloops-noisy", "A noisy polyloop, and after 20 repetitions", {}};
-  drawing.panels.push_back({"96 vertices", {{"noisy polyloop", points_of(loop), true, style::line(6, 1)}}});
+  Drawing drawing{"polyloops-noisy",
+                  "A noisy polyloop, and after 20 repetitions of smoothing operators",
+                  {},
+                  {"figure.polyloops.noisy."}};
+  drawing.panels.push_back(
+      {"96 vertices", {{"noisy polyloop", points_of(loop), true, style::in_colour(style::black, 1)}}});
   constexpr int digits = 6;
   const auto add = [&](const std::string& id, const std::string& text, std::size_t colour) {
     const Loop after = smoothed(loop, "{" + text + "}^" + std::to_string(repetitions));
@@ -162,9 +165,9 @@ void add_noisy(Results& results) {
     results.claims.push_back(settle(head(table, id),
                                     certified(Interval(kept), "exact areas, rounded outwards"),
                                     "The share is " + to_significant(kept, digits) + "."));
-    drawing.panels.push_back(
-        {fmt::format("area {}", to_significant(kept, 3)),
-         {{"", points_of(loop), true, style::polygon}, {text, points_of(after), true, style::line(colour)}}});
+    drawing.panels.push_back({fmt::format("area {}", to_significant(kept, 3)),
+                              {{"", points_of(loop), true, style::polygon},
+                               {text, points_of(after), true, style::curve(colour)}}});
     return after;
   };
   (void)add("figure.polyloops.noisy.tuck", "tuck(1/2)", 0);

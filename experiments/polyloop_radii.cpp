@@ -11,6 +11,7 @@
 #include "analysis/polyloop/local_geometry.h"
 #include "analysis/retrofit.h"
 #include "experiments/polyloop_curves.h"
+#include "experiments/report/figure_style.h"
 #include "experiments/simple_polygons.h"
 #include "schemes/jspline.h"
 
@@ -158,10 +159,15 @@ std::string cell(double error) {
 void add_curvature_figure(Results& results) {
   const std::string name = "polyloop-curvature";
   Series table_of{name, {"step"}, {}};
-  Figure figure{name,     "Errors of curvatures by circle (points) and by parabola (lines)",
-                "step h", "error of the curvature",
-                {},       "set logscale xy; set format '%.0e'; set key outside right"};
-  const std::vector<std::string> colours{"#d55e00", "#009e73", "#0072b2", "#cc79a7", "#e69f00"};
+  Figure figure{
+      name,
+      "Errors of curvatures of known curves, by circle (points) and by parabola (lines)",
+      "step h of the parameter",
+      "error of the curvature (1 / unit of the curve)",
+      {},
+      style::log_x + style::log_y,
+      {"figure.polyloops.curvature", "polyloops.radius.circle.order", "polyloops.radius.parabola.order",
+       "polyloops.radius.circle.uneven", "polyloops.radius.parabola.uneven"}};
   const std::vector<Known> curves = known_curves();
   for (std::size_t i = 0; i < curves.size(); ++i) {
     const std::string& curve = curves[i].name;
@@ -175,9 +181,7 @@ void add_curvature_figure(Results& results) {
       if (!shown || exactly || (curve == "circle" && by_circle)) continue;
       figure.curves.push_back(
           {name, "step", column, column,
-           fmt::format("{} lc rgb '{}'{}", by_circle ? "points pt 7 ps 0.5" : "lines lw 1.5", colours[i],
-                       even || by_circle ? "" : " dt 2")});
-      if (!even && by_circle) figure.curves.back().style = "points pt 6 ps 0.7 lc rgb '" + colours[i] + "'";
+           by_circle ? style::points(even ? i : 5, 0.5) : style::curve(even ? i : 5, 1.5)});
     }
   }
   constexpr int steps = 10;
@@ -229,13 +233,14 @@ void add_acute_figure(Results& results) {
   if (parabola != ratio * ratio * circle) throw std::logic_error("radii at a vertex disagree");
   results.claims.push_back(settle(head_of("figure.polyloops.acute"), exact(ratio, "rational arithmetic"),
                                   "1/sin^2 of half the angle, whose sine is 3/5."));
-  results.figures.push_back({name,
-                             "Radii at a vertex between two edges of length 1",
-                             "angle between the edges, degrees",
-                             "radius",
-                             {{name, "angle", "circle", "circle", "lines lw 2 lc rgb '#d55e00'"},
-                              {name, "angle", "parabola", "parabola", "lines lw 2 lc rgb '#0072b2'"}},
-                             "set logscale y; set xrange [0:180]; set xtics 30; set key top left"});
+  results.figures.push_back(
+      {name,
+       "Radii of curvature at a vertex between two edges of length 1",
+       "angle between the edges (degrees)",
+       "radius (edge lengths)",
+       {{name, "angle", "circle", "circle"}, {name, "angle", "parabola", "parabola"}},
+       style::log_y + "set xrange [0:180]; set xtics 30",
+       {"figure.polyloops.acute", "polyloops.radius.circle.acute", "polyloops.radius.ratio"}});
   results.series.push_back(std::move(table_of));
 }
 

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "experiments/report/figure_style.h"
 #include "optimize/objectives.h"
 #include "optimize/popping_schedule.h"
 #include "schemes/jspline.h"
@@ -135,18 +136,21 @@ void add_figures(Results& results, const std::vector<PoppingLevel>& schedule, co
   }
   results.series.push_back(std::move(series));
   results.figures.push_back({"popping-schedule",
-                             "Parameter that hides each level best",
+                             "Parameter s_k that hides the change to level k best",
                              "level k",
-                             "s_k",
-                             {{"popping-schedule", "level", "s", "s_k", "linespoints pt 7 ps 0.6"},
-                              {"popping-schedule", "level", "limit", "limit", "lines dt 2"}},
-                             "set yrange [0.15:0.55]; set key bottom"});
-  results.figures.push_back({"popping-disparity",
-                             "Largest distance that a new level moves a unit impulse's points",
-                             "level k",
-                             "disparity",
-                             {{"popping-schedule", "level", "disparity", "", "linespoints pt 7 ps 0.6"}},
-                             "set logscale y; set format y '%.0e'"});
+                             "parameter s_k",
+                             {{"popping-schedule", "level", "s", "s_k", style::marked(0)},
+                              {"popping-schedule", "level", "limit", "limit", style::guide}},
+                             "set yrange [0.15:0.55]",
+                             {"popping.schedule.", "popping.limit", "popping.order"}});
+  results.figures.push_back(
+      {"popping-disparity",
+       "How far the change to level k moves points when one control point is moved by 1",
+       "level k",
+       "largest distance (moves of the control point)",
+       {{"popping-schedule", "level", "disparity", "", style::marked(0)}},
+       style::log_y,
+       {"popping.schedule.", "popping.change"}});
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "analysis/iterate_norm_range.h"
 #include "analysis/reif.h"
 #include "analysis/subdivision_matrix.h"
+#include "experiments/report/figure_style.h"
 #include "schemes/bspline.h"
 #include "schemes/jspline.h"
 
@@ -241,18 +242,19 @@ void add_ranges(Results& results) {
     series.rows.push_back(std::move(row));
   }
   results.series.push_back(std::move(series));
-  const std::string points = "linespoints pt 7 ps 0.5";
-  results.figures.push_back({"certified-interval",
-                             "Interval of s on which the k-th power proves continuity of J_s",
-                             "k",
-                             "s",
-                             {{"certified-interval", "k", "C1 lower", "C1", points + " lc 1"},
-                              {"certified-interval", "k", "C1 upper", "", points + " lc 1"},
-                              {"certified-interval", "k", "C2 lower", "C2", points + " lc 2"},
-                              {"certified-interval", "k", "C2 upper", "", points + " lc 2"},
-                              {"certified-interval", "k", "C3 lower", "C3", points + " lc 4"},
-                              {"certified-interval", "k", "C3 upper", "", points + " lc 4"}},
-                             "set yrange [-2.5:6.5]; set key outside"});
+  results.figures.push_back(
+      {"certified-interval",
+       "Intervals of s (between two lines) on which the k-th power proves that *J_s is C^m",
+       "power k",
+       "parameter s",
+       {{"certified-interval", "k", "C1 lower", "C^1", style::marked(0)},
+        {"certified-interval", "k", "C1 upper", "", style::marked(0)},
+        {"certified-interval", "k", "C2 lower", "C^2", style::marked(1)},
+        {"certified-interval", "k", "C2 upper", "", style::marked(1)},
+        {"certified-interval", "k", "C3 lower", "C^3", style::marked(2)},
+        {"certified-interval", "k", "C3 upper", "", style::marked(2)}},
+       "set yrange [-2.5:6.5]; set ytics 1",
+       {"smooth.sufficient.", "smooth.first-power.", "smooth.one-power."}});
 }
 
 /// norm_k against k at the ends that the papers print.
@@ -264,16 +266,16 @@ void add_norms(Results& results) {
       {"C3 s=2.8", {Rational(28, 10), 3}},
       {"C3 s=2.95", {Rational(295, 100), 3}}};
   Series series{"norm-of-powers", {"k"}, {}};
-  Figure figure{
-      "norm-of-powers",
-      "Norm of the k-th power of the difference scheme",
-      "k",
-      "norm_k",
-      {},
-      "set logscale y; set arrow from graph 0, first 1 to graph 1, first 1 nohead dt 2; set key outside"};
+  Figure figure{"norm-of-powers",
+                "Norm of the k-th power of the difference scheme of *J_s: below 1 it proves C^m",
+                "power k",
+                "norm",
+                {},
+                "set logscale y\n" + style::across("1"),
+                {"smooth.sufficient."}};
   for (const auto& [label, where] : curves) {
     series.columns.push_back(label);
-    figure.curves.push_back({series.name, "k", label, label, "linespoints pt 7 ps 0.5"});
+    figure.curves.push_back({series.name, "k", label, label, style::marked(figure.curves.size())});
   }
   for (int k = 1; k <= largest_power; ++k) {
     std::vector<std::string> row{std::to_string(k)};

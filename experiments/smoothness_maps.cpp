@@ -11,6 +11,7 @@
 
 #include "analysis/radius_map.h"
 #include "analysis/three_tap_smoothness.h"
+#include "experiments/report/figure_style.h"
 #include "schemes/jspline.h"
 
 namespace subdiv {
@@ -178,34 +179,31 @@ std::map<Decision, Series> rectangles(const RadiusMap& map, const MapPlan& plan)
 void add_map_figure(Results& results, const RadiusMap& map, const MapPlan& plan) {
   for (auto& [decision, series] : rectangles(map, plan)) results.series.push_back(std::move(series));
   const std::string name = fmt::format("smooth-map-c{}", plan.order);
-  Figure figure{
-      name,
-      fmt::format("Where the scheme *J_(a,b) is C{}", plan.order),
-      "a",
-      "b",
-      {},
-      fmt::format("set xrange [{}:{}]; set yrange [{}:{}]; set clip two; unset grid; set key outside; "
-                  "set style fill solid 1 noborder",
-                  plan.a_lower, plan.a_upper, plan.b_lower, plan.b_upper)};
-  const std::array<std::tuple<Decision, std::string, std::string>, 3> colours{
-      std::tuple{Decision::yes, std::string("proved C") + std::to_string(plan.order), std::string("#0072b2")},
-      std::tuple{Decision::no, std::string("proved not"), std::string("#f0e442")},
-      std::tuple{Decision::undecided, std::string("undecided"), std::string("#000000")}};
+  Figure figure{name,
+                fmt::format("Where the scheme *J_{{a,b}} is C^{}", plan.order),
+                "parameter a",
+                "parameter b",
+                {},
+                fmt::format("set xrange [{}:{}]; set yrange [{}:{}]; set clip two; unset grid; "
+                            "set style fill solid 1 noborder",
+                            plan.a_lower, plan.a_upper, plan.b_lower, plan.b_upper),
+                {fmt::format("smooth.map.c{}.", plan.order), "smooth.ab."}};
+  const std::array<std::tuple<Decision, std::string, std::string_view>, 3> colours{
+      std::tuple{Decision::yes, fmt::format("proved C^{}", plan.order), style::blue},
+      std::tuple{Decision::no, std::string("proved not"), style::yellow},
+      std::tuple{Decision::undecided, std::string("undecided"), style::black}};
   for (const auto& [decision, label, colour] : colours) {
     figure.curves.push_back({name + "-" + name_of(decision),
                              "a lower",
                              "b lower",
                              label,
-                             "boxxyerror lc rgb '" + colour + "'",
+                             fmt::format("boxxyerror lc rgb '{}'", colour),
                              {"a lower", "a upper", "b lower", "b upper"}});
   }
-  const std::array<std::pair<std::string, std::string>, 4> lines{
-      std::pair{std::string("a = b"), std::string("lines lw 2 lc rgb '#d55e00'")},
-      std::pair{std::string("a = 2"), std::string("lines lw 2 dt 2 lc rgb '#cc79a7'")},
-      std::pair{std::string("a = b-1"), std::string("lines lw 2 dt 3 lc rgb '#cc79a7'")},
-      std::pair{std::string("2a+b = 9"), std::string("lines lw 2 dt 4 lc rgb '#cc79a7'")}};
-  for (const auto& [line, style] : lines)
-    figure.curves.push_back({"smooth-map-lines", "a", line, line, style});
+  const std::array<const char*, 4> lines{"a = b", "a = 2", "a = b-1", "2a+b = 9"};
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    figure.curves.push_back({"smooth-map-lines", "a", lines.at(i), lines.at(i),
+                             style::dashed(i, i == 0 ? style::vermilion : style::black, i == 0 ? 2 : 1.5)});
   results.figures.push_back(std::move(figure));
 }
 
@@ -243,14 +241,14 @@ void add_area_figure(Results& results, const std::vector<RadiusMap>& maps) {
       settle_statement(head(table(), "smooth.map.depth"), falls, "true",
                        fmt::format("At every depth from {} to {}: series smooth-map-area.", first, depth)));
   results.series.push_back(std::move(series));
-  results.figures.push_back(
-      {"smooth-map-area",
-       "Undecided area of the maps of *J_(a,b) against their depth",
-       "halvings",
-       "area",
-       {{"smooth-map-area", "depth", "C0 undecided", "C0, of 357", "linespoints pt 7 ps 0.6"},
-        {"smooth-map-area", "depth", "C1 undecided", "C1, of 165", "linespoints pt 5 ps 0.6"}},
-       "set logscale y"});
+  results.figures.push_back({"smooth-map-area",
+                             "What is left undecided in the maps of *J_{a,b} as their cells shrink",
+                             "halvings of the cells",
+                             "area (units of the (a, b) plane)",
+                             {{"smooth-map-area", "depth", "C0 undecided", "C^0, of 357", style::marked(0)},
+                              {"smooth-map-area", "depth", "C1 undecided", "C^1, of 165", style::marked(1)}},
+                             "set logscale y; set xtics 1",
+                             {"smooth.map.depth", "smooth.map.c0.undecided", "smooth.map.c1.undecided"}});
 }
 
 void add_areas(Results& results, const RadiusMap& map, const MapPlan& plan) {

@@ -129,9 +129,8 @@ void add_ring_construction_figure(Results& results, const ClaimHead& head) {
   const CharacteristicRing<double> ring = characteristic_ring(ring_shape(sigma, drawn_valence));
   const RingPlane plane(drawn_valence, ring);
   const auto stand = [](int panel) { return Stand{{panel * step, 0}}; };
-  PlaneDiagram diagram(
-      "speed-ring-construction",
-      "Construction of one sector of the characteristic ring (speed figure 7), n = 5, speed 2/3");
+  PlaneDiagram diagram("speed-ring-construction",
+                       "One sector of the characteristic ring, n = 5, speed 2/3 (speed figure 7)");
 
   Lines net;
   std::vector<NamedSpot> dots;
@@ -140,8 +139,8 @@ void add_ring_construction_figure(Results& results, const ClaimHead& head) {
   const std::size_t known = dots.size();
   for (std::size_t k = 0; k < 15; ++k)
     dots[k].name = k % 4 == 0 || k < 4 ? fmt::format("t{}{}", k / 4, k % 4) : "";
-  diagram.add_lines("border-net", net, diagram_style::line);
-  diagram.add_dots("border", dots, diagram_style::dot);
+  diagram.add_lines("border-net", net, style::line);
+  diagram.add_dots("border", dots, style::dot);
 
   Lines patch_lines;
   Lines split_net;
@@ -165,15 +164,15 @@ void add_ring_construction_figure(Results& results, const ClaimHead& head) {
     scaled_dots.push_back({"", plane.spot(ring.sector.first_side[12 + k], stand(2))});
     scaled_dots.push_back({"", plane.spot(ring.sector.next_side[4 * k + 3], stand(2))});
   }
-  diagram.add_lines("split-net", split_net, diagram_style::line);
-  diagram.add_lines("patches", patch_lines, diagram_style::thick);
-  diagram.add_dots("split", split_dots, diagram_style::dot);
-  diagram.add_dots("scaled", scaled_dots, diagram_style::bright_dot);
-  constexpr std::array captions{"tensor border", "subdivided, 2 : 1", "and lambda times the border"};
+  diagram.add_lines("split-net", split_net, style::line);
+  diagram.add_lines("patches", patch_lines, style::thick);
+  diagram.add_dots("split", split_dots, style::dot);
+  diagram.add_dots("scaled", scaled_dots, style::bright_dot);
+  constexpr std::array captions{"tensor border", "subdivided, 2 : 1", "λ times the border"};
   constexpr double below = -0.62;
   for (std::size_t panel = 0; panel < captions.size(); ++panel)
     diagram.add_text(captions.at(panel), {static_cast<double>(panel) * step + 0.62, below});
-  diagram.add_to(results, {0.1, below - 0.05}, {3 * step, 0.5});
+  diagram.add_to(results, {"figure.speed.7"});
 
   std::size_t defined = 0;
   for (const auto& coefficient : tensor_border(Rational(2, 3))) defined += coefficient ? 1 : 0;
@@ -230,7 +229,7 @@ void add_ring_speeds_figure(Results& results, const ClaimHead& head) {
   constexpr double sectors_at = 1.9;  // the row of sectors above that of whole rings
   PlaneDiagram diagram(
       "speed-ring-shapes",
-      "Characteristic rings (speed figure 8), n = 5: one sector and all, with the next ring");
+      "Characteristic rings, n = 5: one sector, and all with the next ring (speed figure 8)");
   Lines thin;
   Lines thick;
   Lines next;
@@ -256,10 +255,10 @@ void add_ring_speeds_figure(Results& results, const ClaimHead& head) {
     diagram.add_text(fmt::format("speed {}/{}", above, below), {at, -1.3});
     largest = max(largest, abs(area_difference(Rational(above, below))));
   }
-  diagram.add_lines("isolines", thin, diagram_style::thin);
-  diagram.add_lines("next", next, diagram_style::line);
-  diagram.add_lines("patches", thick, diagram_style::thick);
-  diagram.add_to(results, {-step / 2, -1.5}, {(static_cast<double>(speeds.size()) - 0.5) * step, 3});
+  diagram.add_lines("isolines", thin, style::thin);
+  diagram.add_lines("next", next, style::line);
+  diagram.add_lines("patches", thick, style::thick);
+  diagram.add_to(results, {"figure.speed.8"});
 
   const Interval bound(Rational(1) / pow(Rational(10), 30));
   if (!certainly_less(largest, bound)) throw std::logic_error("the areas of characteristic rings");

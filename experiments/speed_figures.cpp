@@ -143,8 +143,9 @@ void add_univariate(Results& results) {
   constexpr double right = 7.4;
   constexpr double refined_up = -2.4;
   constexpr double knots_up = -3.4;
-  PlaneDiagram diagram("speed-univariate",
-                       "Uniform and adjustable speed subdivision in one variable (eon: extraordinary node)");
+  PlaneDiagram diagram(
+      "speed-univariate",
+      "Uniform and adjustable speed in one variable (eon: extraordinary node; speed figure 2)");
   const std::vector<std::pair<const Spline*, const Spline*>> columns{{&coarse, &inner}, {&geometric, &fast}};
   std::vector<Line> old_lines;
   std::vector<Line> new_lines;
@@ -179,19 +180,19 @@ void add_univariate(Results& results) {
     }
     speed_levels.push_back(knots);
   }
-  diagram.add_lines("polygons", old_lines, diagram_style::thin);
-  diagram.add_lines("refined", new_lines, diagram_style::thick);
-  diagram.add_dots("points", old_dots, diagram_style::dot);
-  diagram.add_dots("refined-points", new_dots, diagram_style::dot);
-  diagram.add_dots("nodes", nodes, diagram_style::bright_dot, {0, -1.5});
-  diagram.add_lines("knots-uniform", knot_ticks(uniform_levels, 0, knots_up), diagram_style::line);
-  diagram.add_lines("knots-speed", knot_ticks(speed_levels, right, knots_up), diagram_style::line);
+  diagram.add_lines("polygons", old_lines, style::thin);
+  diagram.add_lines("refined", new_lines, style::thick);
+  diagram.add_dots("points", old_dots, style::dot);
+  diagram.add_dots("refined-points", new_dots, style::dot);
+  diagram.add_dots("nodes", nodes, style::bright_dot, {0, -1.5});
+  diagram.add_lines("knots-uniform", knot_ticks(uniform_levels, 0, knots_up), style::line);
+  diagram.add_lines("knots-speed", knot_ticks(speed_levels, right, knots_up), style::line);
   constexpr double caption = 2.1;
   diagram.add_text("uniform", {0, caption});
   diagram.add_text("speed 2/3", {right, caption});
   for (int level = 0; level <= 3; ++level)
-    diagram.add_text(fmt::format("step {}", level), {right / 2, knots_up - 0.62 * level}, 12);
-  diagram.add_to(results, {-3.3, -5.7}, {right + 3.3, 2.5});
+    diagram.add_text(fmt::format("step {}", level), {right / 2, knots_up - 0.62 * level});
+  diagram.add_to(results, {"figure.speed.2"});
 }
 
 }  // namespace

@@ -127,15 +127,15 @@ void add_speed_indices(Results& results, std::span<const ClaimHead> heads) {
     const int b = 3 - label_of_number(k) % 10;
     numbers.push_back({std::to_string(k), in_sector(right, 0, fine_unit * a, fine_unit * b)});
   }
-  diagram.add_lines("net", net_lines(left, drawn_valence, 2, unit), diagram_style::thin);
-  diagram.add_lines("refined", net_lines(right, drawn_valence, 3, fine_unit), diagram_style::thin);
-  diagram.add_lines("net-sector", net_lines(left, 1, 2, unit), diagram_style::line);
-  diagram.add_lines("refined-sector", net_lines(right, 1, 3, fine_unit), diagram_style::line);
-  diagram.add_dots("labels", labelled_net(left, unit), diagram_style::dot);
-  diagram.add_dots("numbers", numbers, diagram_style::dot);
+  diagram.add_lines("net", net_lines(left, drawn_valence, 2, unit), style::thin);
+  diagram.add_lines("refined", net_lines(right, drawn_valence, 3, fine_unit), style::thin);
+  diagram.add_lines("net-sector", net_lines(left, 1, 2, unit), style::line);
+  diagram.add_lines("refined-sector", net_lines(right, 1, 3, fine_unit), style::line);
+  diagram.add_dots("labels", labelled_net(left, unit), style::dot);
+  diagram.add_dots("numbers", numbers, style::dot);
   diagram.add_text("net p, labels ij", {left.x, -3.5});
   diagram.add_text("refined net, numbers k", {right.x, -3.5});
-  diagram.add_to(results, {-4, -4}, {12.2, 4.3});
+  diagram.add_to(results, {"figure.speed.5"});
 }
 
 void add_speed_border_indices(Results& results, std::span<const ClaimHead> heads) {
@@ -164,14 +164,14 @@ void add_speed_border_indices(Results& results, std::span<const ClaimHead> heads
     lines.push_back({spot(a, a == 0 ? 1 : 0), spot(a, 3)});
     lines.push_back({spot(a == 0 ? 1 : 0, a), spot(3, a)});
   }
-  diagram.add_lines("net", net_lines(left, drawn_valence, 2, unit), diagram_style::thin);
-  diagram.add_lines("net-sector", net_lines(left, 1, 2, unit), diagram_style::line);
-  diagram.add_lines("border", lines, diagram_style::line);
-  diagram.add_dots("labels", labelled_net(left, unit), diagram_style::dot);
-  diagram.add_dots("indices", dots, diagram_style::dot);
+  diagram.add_lines("net", net_lines(left, drawn_valence, 2, unit), style::thin);
+  diagram.add_lines("net-sector", net_lines(left, 1, 2, unit), style::line);
+  diagram.add_lines("border", lines, style::line);
+  diagram.add_dots("labels", labelled_net(left, unit), style::dot);
+  diagram.add_dots("indices", dots, style::dot);
   diagram.add_text("net p, labels rs", {left.x, -3.5});
   diagram.add_text("tensor border t, indices ij", {right.x, -3.5});
-  diagram.add_to(results, {-4, -4}, {10.5, 4.8});
+  diagram.add_to(results, {"figure.speed.10"});
 }
 
 }  // namespace subdiv

@@ -87,14 +87,14 @@ void draw_derivation(Results& results, const BezierPatch<SymbolicPoint>& border,
     box(panel, {0, rest}, {rest, 1});
     box(panel, {rest, rest}, {1, 1});
   }
-  diagram.add_lines("patches", boxes, diagram_style::line);
-  diagram.add_dots("given", given, diagram_style::pale_dot);
-  diagram.add_dots("derived", derived, diagram_style::dot);
-  diagram.add_dots("refined", from_refined, diagram_style::bright_dot);
+  diagram.add_lines("patches", boxes, style::line);
+  diagram.add_dots("given", given, style::pale_dot);
+  diagram.add_dots("derived", derived, style::dot);
+  diagram.add_dots("refined", from_refined, style::bright_dot);
   constexpr std::array captions{"(a) Bezier form", "(b) extended inwards", "(c) subdivided", "(d) ring"};
   constexpr double below = -0.55;
   for (std::size_t panel = 0; panel < captions.size(); ++panel)
-    diagram.add_text(captions.at(panel), origins.at(panel) + Spot{size / 2, below}, 12);
+    diagram.add_text(captions.at(panel), origins.at(panel) + Spot{size / 2, below});
 
   const Spot star{10.2, 1.6};  // the vertex's rule
   constexpr double edge = 1.05;
@@ -106,14 +106,14 @@ void draw_derivation(Results& results, const BezierPatch<SymbolicPoint>& border,
     faces.push_back({star, spot(1, 0), spot(1, 1), spot(0, 1)});
     dots.push_back({"", spot(1, 0)});
     dots.push_back({"", spot(1, 1)});
-    diagram.add_text("β/n", spot(outside + 0.15, 0), 12);
-    diagram.add_text("γ/n", spot(outside - 0.05, outside - 0.05), 12);
+    diagram.add_text("β/n", spot(outside + 0.15, 0));
+    diagram.add_text("γ/n", spot(outside - 0.05, outside - 0.05));
   }
-  diagram.add_text("α", in_sector(star, 0, 0.28, 0.28), 12);
-  diagram.add_lines("faces", faces, diagram_style::line);
-  diagram.add_dots("rule", dots, diagram_style::dot);
-  diagram.add_text("rule of the vertex", {star.x, below}, 12);
-  diagram.add_to(results, {-0.6, -0.9}, {14.4, 8.6});
+  diagram.add_text("α", in_sector(star, 0, 0.28, 0.28));
+  diagram.add_lines("faces", faces, style::line);
+  diagram.add_dots("rule", dots, style::dot);
+  diagram.add_text("rule of the vertex", {star.x, below});
+  diagram.add_to(results, {"figure.speed.4"});
 }
 
 }  // namespace
@@ -167,13 +167,13 @@ void add_speed_knot_lines(Results& results, std::span<const ClaimHead> heads) {
     }
     patches.push_back({spot(size, 0), spot(0, 0)});
   }
-  diagram.add_lines("tensored", lines, diagram_style::thin);
-  diagram.add_lines("patches", patches, diagram_style::line);
-  diagram.add_lines("rings", rings, diagram_style::thick);
-  diagram.add_dots("nodes", {{"", {0, 0}}, {"", right}}, diagram_style::bright_dot);
+  diagram.add_lines("tensored", lines, style::thin);
+  diagram.add_lines("patches", patches, style::line);
+  diagram.add_lines("rings", rings, style::thick);
+  diagram.add_dots("nodes", {{"", {0, 0}}, {"", right}}, style::bright_dot);
   diagram.add_text("tensored, n = 4", {0, -3.1});
   diagram.add_text("around a node with n = 5", {right.x, -3.1});
-  diagram.add_to(results, {-2.9, -3.4}, {9.9, 3.2});
+  diagram.add_to(results, {"figure.speed.3"});
 }
 
 void add_speed_derivation(Results& results, std::span<const ClaimHead> heads) {

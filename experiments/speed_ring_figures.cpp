@@ -43,7 +43,8 @@ std::vector<SpaceQuad> group_quads(const RingSurface& surface, std::size_t group
   return quads;
 }
 
-constexpr std::array<unsigned, 4> colours{0xC8C8C8, 0xF2C14E, 0x7FB5E6, 0xE8916F};  // a group each
+constexpr std::array<unsigned, 4> colours{style::lit_grey, style::lit_orange, style::lit_sky,
+                                          style::lit_vermilion};  // a group each
 
 /// A panel: every group in its colour.
 void add_panel(Results& results, std::vector<Curve>& curves, const std::string& name,
@@ -121,13 +122,13 @@ void add_completion(Results& results) {
               model.surface({sigma, sigma}, false), {above, scale, {280, y}});
     Series lines =
         isophotes(fmt::format("speed-blend-highlight-{}", name), surface, {above, detail, {560, y}});
-    curves.push_back({lines.name, "x", "y", "", "lines lw 1 lc rgb '#202020'"});
+    curves.push_back({lines.name, "x", "y", "", style::in_colour(style::black, 1)});
     results.series.push_back(std::move(lines));
   }
-  results.figures.push_back(bare_figure(
-      "speed-completion",
-      "Blend with hole; two steps at speed 1/2 (top), 3/4; highlight lines with the cap (speed figure 1)",
-      std::move(curves), ""));
+  results.figures.push_back(bare_figure("speed-completion",
+                                        "A blend with a hole; two steps at speed 1/2 (top) and 3/4; "
+                                        "highlight lines with the cap (speed figure 1)",
+                                        std::move(curves), {}, {"figure.speed.1."}));
 }
 
 /// The edges of three or two rings of quads around the vertex.
@@ -166,15 +167,14 @@ void add_refined_net(Results& results) {
       for (const auto& rule : rules) points.push_back(apply(rule, net, k));
     }
     const Placement placement{above, scale, {rings == 3 ? 0.0 : 280.0, 0}};
-    add_net(results, curves, fmt::format("speed-net-{}", rings), 2, net.points(), placement,
-            "lines lw 1 lc rgb '#999999'");
+    add_net(results, curves, fmt::format("speed-net-{}", rings), 2, net.points(), placement, style::polygon);
     add_net(results, curves, fmt::format("speed-net-refined-{}", rings), rings, points, placement,
-            "lines lw 1.5 lc rgb '#0072b2'");
+            style::curve(0, 1.5));
   }
   results.figures.push_back(bare_figure(
       "speed-net",
       "A net refined at speed 1/2: points of a ring (left), points of the next step (speed figure 6)",
-      std::move(curves), ""));
+      std::move(curves), {}, {"figure.speed.6"}));
 }
 
 /// Figure 9: one and two steps at several speeds; sizes of what is left open.
@@ -208,7 +208,7 @@ void add_widths(Results& results) {
   results.figures.push_back(
       bare_figure("speed-widths",
                   "Input (scaled to 2/5); one (top) and two steps at speeds 1/4, 1/2, 3/4 (speed figure 9)",
-                  std::move(curves), ""));
+                  std::move(curves), {}, {"figure.speed.9"}));
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "analysis/adjustable_speed/speed_matrix.h"
 #include "analysis/adjustable_speed/speed_spectrum.h"
 #include "analysis/mesh/spectral_condition.h"
+#include "experiments/report/figure_style.h"
 #include "schemes/algebra/turn.h"
 #include "schemes/mesh/catmull_clark.h"
 
@@ -299,15 +300,22 @@ void add_figure(Results& results) {
     row.push_back(text(leading->next));
     series.rows.push_back(std::move(row));
   }
-  Figure figure{
-      "speed-lambda", "Sub-dominant eigenvalue of adjustable speed", "speed sigma", "eigenvalue", {}, ""};
+  Figure figure{"speed-lambda",
+                "Sub-dominant eigenvalue λ and the next, μ, of adjustable speed",
+                "speed σ",
+                "eigenvalue",
+                {},
+                "set xrange [0:1]; set yrange [0:1]; set xtics 0.2",
+                {"figure.speed.lambda", "speed.subdominant", "speed.mu.square.", "speed.mu."}};
+  constexpr std::array greek{std::pair{"lambda", "λ"}, std::pair{"mu", "μ"}};
   for (std::size_t k = 1; k < series.columns.size(); ++k) {
-    const bool square = k > valences.size();
-    figure.curves.push_back(
-        {"speed-lambda", "sigma", series.columns[k], series.columns[k],
-         square ? (k == valences.size() + 1 ? "lines lw 2 dt 2" : "lines lw 2 dt 3") : "lines lw 2"});
+    std::string label = series.columns[k];
+    for (const auto& [name, letter] : greek) {
+      if (label.starts_with(name)) label.replace(0, std::string_view(name).size(), letter);
+    }
+    figure.curves.push_back({"speed-lambda", "sigma", series.columns[k], label,
+                             k > valences.size() ? style::curve(k, 1.3) : style::curve(k - 1)});
   }
-  figure.setup = "set xrange [0:1]; set yrange [0:1]; set key top right";
   results.series.push_back(std::move(series));
   results.figures.push_back(std::move(figure));
   results.claims.push_back(settle_statement(

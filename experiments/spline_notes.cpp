@@ -439,7 +439,10 @@ void add_four_point_ends(Results& results) {
 
 void add_figure(Results& results) {
   const PlanePoints polygon = polygon_from_data("figure-open.csv");
-  Drawing drawing{"figure-notes-degree-1", "Degree 1: each step adds the middles (notes figure 2)", {}};
+  Drawing drawing{"figure-notes-degree-1",
+                  "Degree 1: each step adds the middles (notes figure 2)",
+                  {},
+                  {"figure.notes.degree-1", "notes.degree-1.sequence"}};
   std::vector<std::pair<Rational, Rational>> points = polygon;
   constexpr int steps = 3;
   for (int level = 0; level <= steps; ++level) {
@@ -454,7 +457,7 @@ void add_figure(Results& results) {
     }
     drawing.panels.push_back(
         {level == 0 ? "control points" : fmt::format("{} step{}", level, level == 1 ? "" : "s"),
-         {{"", polygon, false, style::polygon}, {"", points, false, "points pt 7 ps 0.5 lc rgb '#0072b2'"}}});
+         {{"", polygon, false, style::polygon}, {"", points, false, style::points(0, 0.4)}}});
   }
   constexpr std::size_t parts = 8;
   bool eighths = points.size() == parts * (polygon.size() - 1) + 1;

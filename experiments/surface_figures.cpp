@@ -18,9 +18,9 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double cell = 200;  // width of a panel
-constexpr unsigned gold = 0xF2C14E;
-constexpr unsigned blue = 0x7FB5E6;
-constexpr unsigned grey = 0xC8C8C8;
+constexpr unsigned gold = style::lit_orange;
+constexpr unsigned blue = style::lit_sky;
+constexpr unsigned grey = style::lit_grey;
 
 Scheme<double> j(double s) { return stationary("J", jspline(s)); }
 
@@ -69,13 +69,13 @@ void add_torus(Results& results) {
     add_line(transversals, points_of(scheme, motion.polygon(), depth), true, middle);
   }
   add_quads(quads, space_quads(grid, scheme, depth), true, panel(2, 0, 0, scale), Paint::shaded, gold);
-  results.figures.push_back(
-      bare_figure("surface-torus", "A torus from 4 rows of 4 control points, *J_1 (js-report figure 15)",
-                  {filled(quads), drawn(rows, "rows", "lines lw 1.5 lc rgb '#009e73'"),
-                   drawn(trajectories, "trajectories", "lines lw 1.5 lc rgb '#cc3399'"),
-                   drawn(moving, "moving control points", "linespoints pt 7 ps 0.3 lw 0.7 lc rgb '#999999'"),
-                   drawn(transversals, "transversal curves", "lines lw 1.5 lc rgb '#0072b2'")},
-                  ""));
+  results.figures.push_back(bare_figure("surface-torus",
+                                        "A torus from 4 rows of 4 control points, *J_1 (js-report figure 15)",
+                                        {filled(quads), drawn(rows, "rows", style::curve(2, 1.5)),
+                                         drawn(trajectories, "trajectories", style::curve(1, 1.5)),
+                                         drawn(moving, "moving control points", style::polygon),
+                                         drawn(transversals, "transversal curves", style::curve(0, 1.5))},
+                                        {}, {"ringing.rings", "ringing.minimum-input.torus"}));
   for (Series* series : {&rows, &trajectories, &moving, &transversals, &quads})
     results.series.push_back(std::move(*series));
 }
@@ -102,7 +102,7 @@ void add_rows(Results& results) {
   }
   results.figures.push_back(bare_figure(
       "surface-rows", "3, 4 and 6 rows: control mesh, *J_1 and {J_{-33/26}, *J_{3/2}} (js-report figure 15)",
-      std::move(curves), ""));
+      std::move(curves), {}, {"ringing.rings", "ringing.minimum-input.torus"}));
 }
 
 /// Figure 16: one grid closed, with one border, and its quads.
@@ -138,14 +138,14 @@ void add_borders(Results& results) {
   results.figures.push_back(bare_figure(
       "surface-borders",
       "3 rows of 5 points: *J_0, *J_{1/2}, *J_{3/2}; closed, one border, quads (js-report figure 16)",
-      std::move(curves), ""));
+      std::move(curves), {}, {"ringing.borders."}));
 }
 
 /// Figure 11, below: consecutive levels painted over each other.
 void add_silhouettes(Results& results) {
   constexpr double scale = 11;
-  constexpr unsigned previous = 0x33507A;
-  constexpr unsigned current = 0xF5B942;
+  constexpr unsigned previous = style::flat_blue;
+  constexpr unsigned current = style::lit_orange;
   constexpr int depth = 2;
   const DoubleGrid grid = grid_of("surface-torus.csv");
   std::vector<Curve> curves;
@@ -166,7 +166,7 @@ void add_silhouettes(Results& results) {
   }
   results.figures.push_back(bare_figure(
       "surface-silhouettes", "Levels 1 (dark) and 2 (light): J_0, J_{3/8}, J_1 (js-report figure 11)",
-      std::move(curves), ""));
+      std::move(curves), {}, {"popping.silhouettes", "popping.silhouettes.s"}));
 }
 
 }  // namespace

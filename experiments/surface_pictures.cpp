@@ -108,15 +108,10 @@ Curve drawn(const Series& series, std::string label, std::string style) {
   return {series.name, "x", "y", std::move(label), std::move(style), {}};
 }
 
-Figure bare_figure(std::string name, std::string title, std::vector<Curve> curves, std::string setup) {
-  return {
-      std::move(name),
-      std::move(title),
-      "",
-      "",
-      std::move(curves),
-      "unset border; unset tics; unset grid; set size ratio -1; set key outside bottom center horizontal; " +
-          std::move(setup)};
+Figure bare_figure(std::string name, std::string title, std::vector<Curve> curves,
+                   std::vector<FigureText> texts, std::vector<std::string> claims) {
+  return {std::move(name),   std::move(title), "",  "", std::move(curves), "",
+          std::move(claims), std::move(texts), true};
 }
 
 }  // namespace subdiv

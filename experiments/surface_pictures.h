@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "experiments/experiment.h"
+#include "experiments/report/figure_style.h"
 #include "experiments/surface_popping.h"
 
 namespace subdiv {
@@ -49,8 +50,8 @@ void add_line(Series& series, const std::vector<Eigen::Vector3d>& points, bool c
               const Placement& placement);
 [[nodiscard]] Curve drawn(const Series& series, std::string label, std::string style);
 
-/// A figure without axes, both directions in one scale.
+/// A picture: no axes, both directions in one scale. `claims` as in Figure.
 [[nodiscard]] Figure bare_figure(std::string name, std::string title, std::vector<Curve> curves,
-                                 std::string setup);
+                                 std::vector<FigureText> texts, std::vector<std::string> claims);
 
 }  // namespace subdiv

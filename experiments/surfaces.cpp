@@ -9,6 +9,7 @@
 #include "analysis/open_grid.h"
 #include "analysis/quad_topology.h"
 #include "experiments/grid_data.h"
+#include "experiments/report/figure_style.h"
 #include "experiments/surface_popping.h"
 #include "schemes/evaluate/geomorph.h"
 #include "schemes/jspline.h"
@@ -531,13 +532,14 @@ void add_silhouettes(Results& results) {
   results.series.push_back(std::move(series));
   results.figures.push_back(
       {"surface-silhouette-disparity",
-       "Popping of silhouettes: mean over 40 rough tori",
-       "s",
+       "Popping of silhouettes between levels: mean over 40 rough tori",
+       "parameter s",
        "share of the picture that changes",
-       {{"surface-silhouette-disparity", "s", "level_1", "levels 0 and 1", "linespoints pt 7 ps 0.6", {}},
-        {"surface-silhouette-disparity", "s", "level_2", "levels 1 and 2", "linespoints pt 7 ps 0.6", {}},
-        {"surface-silhouette-disparity", "s", "level_3", "levels 2 and 3", "linespoints pt 7 ps 0.6", {}}},
-       "set logscale y; set key bottom right"});
+       {{"surface-silhouette-disparity", "s", "level_1", "levels 0 and 1", style::marked(0)},
+        {"surface-silhouette-disparity", "s", "level_2", "levels 1 and 2", style::marked(1)},
+        {"surface-silhouette-disparity", "s", "level_3", "levels 2 and 3", style::marked(2)}},
+       style::log_y,
+       {"popping.silhouettes", "popping.silhouettes.s"}});
 }
 
 /// What a geomorph makes of the pop of silhouettes: between levels 1 and 2, by the number of its pictures.
@@ -558,14 +560,16 @@ void add_geomorph_of_silhouettes(Results& results) {
   }
   results.series.push_back(std::move(series));
   const std::string name = "surface-geomorph-silhouettes";
-  results.figures.push_back({name,
-                             "Silhouettes of the torus from level 1 to 2: largest change between pictures",
-                             "pictures of the geomorph (1: none)",
-                             "share of the picture that changes",
-                             {{name, "pictures", "four_point", "J_0", "linespoints pt 7 ps 0.6", {}},
-                              {name, "pictures", "three_eighths", "J_{3/8}", "linespoints pt 7 ps 0.6", {}},
-                              {name, "pictures", "cubic", "J_1", "linespoints pt 7 ps 0.6", {}}},
-                             "set logscale xy 2; set xrange [0.9:18]"});
+  results.figures.push_back(
+      {name,
+       "Silhouettes of a torus from level 1 to 2: largest change from picture to picture",
+       "pictures of the geomorph (1: none)",
+       "share of the picture that changes",
+       {{name, "pictures", "four_point", "J_0", style::marked(0)},
+        {name, "pictures", "three_eighths", "J_{3/8}", style::marked(1)},
+        {name, "pictures", "cubic", "J_1", style::marked(2)}},
+       "set logscale xy 2; set xrange [0.9:18]; set format y '2^{/*1.1 %L}'",
+       {"popping.geomorph.surface"}});
 }
 
 }  // namespace

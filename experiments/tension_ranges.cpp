@@ -13,6 +13,7 @@
 #include "analysis/hoelder.h"
 #include "analysis/transition_matrices.h"
 #include "analysis/unstable_conditions.h"
+#include "experiments/report/figure_style.h"
 #include "schemes/dyn_floater_hormann.h"
 #include "schemes/four_point.h"
 
@@ -199,10 +200,11 @@ std::string value_of(const Results& results, const std::string& id) {
 
 /// A vertical line at an exact limit, and the height that the exponent has there.
 std::string limit_line(const std::string& at, int order) {
-  return fmt::format(
-      "set arrow from {0}, graph 0 to {0}, graph 1 nohead dt 2; set label 'C{1} ends' at {0}, graph "
-      "0.96 offset 0.6, 0; set arrow from graph 0, first {1} to graph 1, first {1} nohead dt 3; ",
-      at, order);
+  return style::upright(at) + style::across(std::to_string(order));
+}
+
+FigureText limit_text(const std::string& at, int order, double height) {
+  return {fmt::format("C^{} ends", order), Rational::parse(at).to_double(), height, "left offset 0.5,0"};
 }
 
 void add_figures(Results& results) {
@@ -215,22 +217,27 @@ void add_figures(Results& results) {
       {"dfh-limits",
        {"w", "exponent"},
        {{value_of(results, "smooth.dfh.c2.single"), value_of(results, "smooth.dfh.c2.single.exponent")}}});
-  const std::string line = "lines lw 2.5 lc rgb '#0072b2'";
+  const std::string four_point_end = value_of(results, "smooth.four-point.c1.upper");
+  const std::string dual_c2_end = value_of(results, "smooth.dfh.c2.upper");
+  const std::string dual_c1_end = value_of(results, "smooth.dfh.c1.upper");
   results.figures.push_back({"four-point-exponent",
                              "Hoelder exponent of the four-point scheme",
                              "tension w",
-                             "exponent",
-                             {{"four-point-exponent", "w", "exponent", "", line}},
-                             limit_line(value_of(results, "smooth.four-point.c1.upper"), 1)});
-  results.figures.push_back(
-      {"dfh-exponent",
-       "Hoelder exponent of the dual four-point scheme of Dyn, Floater & Hormann",
-       "tension w",
-       "exponent",
-       {{"dfh-exponent", "w", "exponent", "scheme", line},
-        {"dfh-limits", "w", "exponent", "limits at w = -1/28", "points pt 7 ps 0.7 lc rgb '#d55e00'"}},
-       limit_line(value_of(results, "smooth.dfh.c2.upper"), 2) +
-           limit_line(value_of(results, "smooth.dfh.c1.upper"), 1) + "set key top left"});
+                             "Hoelder exponent",
+                             {{"four-point-exponent", "w", "exponent", ""}},
+                             limit_line(four_point_end, 1) + "set yrange [0:2.1]; set xtics 0.25",
+                             {"smooth.four-point.", "smooth.named.four-point.tension"},
+                             {limit_text(four_point_end, 1, 1.9)}});
+  results.figures.push_back({"dfh-exponent",
+                             "Hoelder exponent of the dual four-point scheme of Dyn, Floater & Hormann",
+                             "tension w",
+                             "Hoelder exponent",
+                             {{"dfh-exponent", "w", "exponent", "scheme"},
+                              {"dfh-limits", "w", "exponent", "its limits at w = -1/28", style::points(1)}},
+                             limit_line(dual_c2_end, 2) + limit_line(dual_c1_end, 1) +
+                                 "set xrange [-0.045:0.075]; set yrange [0.8:3]; set xtics 0.02",
+                             {"smooth.dfh."},
+                             {limit_text(dual_c2_end, 2, 2.85), limit_text(dual_c1_end, 1, 2.85)}});
 }
 
 }  // namespace

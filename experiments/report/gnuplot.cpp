@@ -5,7 +5,6 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
-#include <iterator>
 #include <memory>
 #include <stdexcept>
 #include <string_view>
@@ -16,71 +15,14 @@
 
 #include <fmt/format.h>
 
+#include "experiments/report/figure_script.h"
+#include "experiments/report/figure_text.h"
+#include "experiments/report/svg.h"
 #include "experiments/report/utf8.h"
 #include "schemes/input_error.h"
 
 namespace subdiv {
 namespace {
-
-std::string quoted_for_gnuplot(const std::string& text) {
-  std::string result = "'";
-  for (const char c : text) result += c == '\'' ? std::string("''") : std::string(1, c);
-  return result + "'";
-}
-
-const Series& series_named(std::span<const Series> series, const Figure& figure, const std::string& name) {
-  const auto found =
-      std::find_if(series.begin(), series.end(), [&](const Series& s) { return s.name == name; });
-  if (found == series.end()) {
-    throw std::logic_error("figure '" + figure.name + "': there is no series '" + name + "'");
-  }
-  return *found;
-}
-
-std::size_t column_named(const Series& series, const std::string& name) {
-  const auto found = std::find(series.columns.begin(), series.columns.end(), name);
-  if (found == series.columns.end()) {
-    throw std::logic_error("series '" + series.name + "': there is no column '" + name + "'");
-  }
-  return static_cast<std::size_t>(found - series.columns.begin());
-}
-
-void require_decimal(const Series& series, const std::string& cell) {
-  try {
-    if (cell.find('/') != std::string::npos) throw std::invalid_argument("'" + cell + "' is a fraction");
-    (void)Rational::parse(cell);
-  } catch (const std::invalid_argument& error) {
-    throw std::logic_error("series '" + series.name + "': " + error.what() + "; figures need decimals");
-  }
-}
-
-std::vector<std::size_t> columns_of(const Series& series, const Curve& curve) {
-  std::vector<std::size_t> columns{column_named(series, curve.x), column_named(series, curve.y)};
-  for (const std::string& name : curve.more) columns.push_back(column_named(series, name));
-  return columns;
-}
-
-std::string data_block(const Series& series, const Curve& curve, std::size_t index) {
-  const std::vector<std::size_t> columns = columns_of(series, curve);
-  std::string text = "$data" + std::to_string(index) + " << end_of_data\n";
-  for (const auto& row : series.rows) {
-    const bool complete = std::ranges::none_of(columns, [&](std::size_t c) { return row.at(c).empty(); });
-    for (std::size_t i = 0; complete && i < columns.size(); ++i) {
-      require_decimal(series, row[columns[i]]);
-      text += (i == 0 ? "" : " ") + row[columns[i]];
-    }
-    text += '\n';
-  }
-  return text + "end_of_data\n";
-}
-
-/// "1:2", and so on for more columns; "($1+5):($2+0)" for a curve that is moved.
-std::string using_clause(const Curve& curve) {
-  const bool moved = curve.right != 0 || curve.up != 0;
-  std::string text = moved ? fmt::format("(${}+{}):(${}+{})", 1, curve.right, 2, curve.up) : "1:2";
-  for (std::size_t i = 0; i < curve.more.size(); ++i) text += ":" + std::to_string(i + 3);
-  return text;
-}
 
 using File = std::unique_ptr<FILE, int (*)(FILE*)>;
 
@@ -152,29 +94,6 @@ void require_gnuplot() {
   throw InputError("gnuplot, which draws the figures, is not installed: apt-get install gnuplot-nox");
 }
 
-std::string figure_script(const Figure& figure, std::span<const Series> series) {
-  std::string script =
-      "set encoding utf8\n"
-      "set terminal svg size 800,500 fixed font 'Helvetica,14' noenhanced background '#ffffff' name "
-      "'subdivlab'\n"
-      "set border 3\nset tics nomirror\n"
-      "set grid lc rgb '#dddddd'\n"
-      "set key top right\n"
-      "set title " +
-      quoted_for_gnuplot(figure.title) + "\n" + "set xlabel " + quoted_for_gnuplot(figure.x_label) + "\n" +
-      "set ylabel " + quoted_for_gnuplot(figure.y_label) + "\n";
-  std::string plots;
-  for (std::size_t i = 0; i < figure.curves.size(); ++i) {
-    const Curve& curve = figure.curves[i];
-    script += data_block(series_named(series, figure, curve.series), curve, i);
-    plots += (i == 0 ? "plot " : ", ") + ("$data" + std::to_string(i)) + " using " + using_clause(curve) +
-             " with " + curve.style +
-             (curve.label.empty() ? " notitle" : " title " + quoted_for_gnuplot(curve.label));
-  }
-  if (!figure.setup.empty()) script += figure.setup + "\n";
-  return script + plots + "\n";
-}
-
 std::string draw_svg(const Figure& figure, std::span<const Series> series) {
   const std::string script = figure_script(figure, series);
   require_gnuplot();
@@ -182,7 +101,7 @@ std::string draw_svg(const Figure& figure, std::span<const Series> series) {
   if (!done || text.find("</svg>") == std::string::npos) {
     throw std::runtime_error("figure '" + figure.name + "': gnuplot failed: " + clipped(text, 400));
   }
-  return text;
+  return finished_svg(text, figure.name, plain_text(figure.title), figure_description(figure));
 }
 
 }  // namespace subdiv

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "experiments/report/figure_script.h"
+
 namespace subdiv {
 namespace {
 
@@ -19,7 +21,8 @@ TEST(FigureScript, TakesColumnsByNameAndBreaksCurvesAtEmptyCells) {
   const std::string script = figure_script(figure_of("x", "y"), squares);
   EXPECT_NE(script.find("1 1.0\n2 4.0\n\n3 9.0\n"), std::string::npos) << script;
   EXPECT_NE(script.find("set title 'It''s φ'"), std::string::npos) << script;
-  EXPECT_NE(script.find("plot $data0 using 1:2 with lines lw 2 title 'squares'"), std::string::npos)
+  EXPECT_NE(script.find("plot $data0 using 1:2 with lines lw 2 dt 1 lc rgb '#0072b2' title 'squares'"),
+            std::string::npos)
       << script;
 }
 
@@ -34,6 +37,72 @@ TEST(FigureScript, TakesMoreColumnsForStylesThatNeedThem) {
   EXPECT_THROW((void)figure_script(figure, squares), std::logic_error);
 }
 
+TEST(FigureScript, GivesFurtherCurvesOtherColoursAndDashes) {
+  Figure figure = figure_of("x", "y");
+  figure.curves.push_back({"squares", "y", "x", "roots"});
+  const std::string script = figure_script(figure, squares);
+  EXPECT_NE(script.find("dt (9,3) lc rgb '#d55e00' title 'roots'"), std::string::npos) << script;
+}
+
+TEST(FigureScript, BreaksLongTitlesAndMakesRoomForThemAndForTheKey) {
+  Figure figure = figure_of("x", "y");
+  EXPECT_NE(figure_script(figure, squares).find("size 480,338 "), std::string::npos);
+  figure.title = "A title of more than fifty characters, which stands in two lines";
+  figure.curves[0].label = "";
+  const std::string script = figure_script(figure, squares);
+  EXPECT_NE(script.find("size 480,338 "), std::string::npos) << "a line more above, none below";
+  EXPECT_NE(
+      script.find("set title 'A title of more than fifty characters, which'.\"\\n\".'stands in two lines'"),
+      std::string::npos)
+      << script;
+  EXPECT_NE(script.find("unset key"), std::string::npos);
+}
+
+/// The number behind a word.
+double number_after(const std::string& text, const std::string& word) {
+  return std::stod(text.substr(text.find(word) + word.size()));
+}
+
+TEST(FigureScript, PicturesHaveOneScaleAndNoAxes) {
+  Figure figure = figure_of("x", "y");  // a box of 2 by 8
+  figure.picture = true;
+  const std::string script = figure_script(figure, squares);
+  EXPECT_NE(script.find("unset border; unset tics"), std::string::npos);
+  const double width =
+      480 * (number_after(script, "rmargin at screen ") - number_after(script, "lmargin at screen "));
+  const double canvas = number_after(script, "size 480,");
+  const double height =
+      canvas * (number_after(script, "tmargin at screen ") - number_after(script, "bmargin at screen "));
+  const double left = number_after(script, "xrange [");
+  const double bottom = number_after(script, "yrange [");
+  const double right = number_after(script.substr(script.find("xrange [")), ":");
+  const double top = number_after(script.substr(script.find("yrange [")), ":");
+  EXPECT_LE(left, 1);
+  EXPECT_GE(right, 3);
+  EXPECT_NEAR(bottom, 1, 1e-6);
+  EXPECT_NEAR(width / (right - left), height / (top - bottom), 1e-3);
+}
+
+TEST(FigureScript, PicturesHaveRoomForNames) {
+  Figure figure = figure_of("x", "y");
+  figure.picture = true;
+  figure.texts.push_back({"a name above", 2, 20});
+  EXPECT_GE(number_after(
+                figure_script(figure, squares).substr(figure_script(figure, squares).find("yrange [")), ":"),
+            20);
+}
+
+TEST(FigureDescription, SaysAxesCurvesAndNames) {
+  Figure figure = figure_of("x", "y");
+  figure.x_label = "parameter s";
+  figure.y_label = "error of J_{3/8}";
+  figure.texts.push_back({"C^1 ends", 0, 0});
+  EXPECT_EQ(figure_description(figure),
+            "A plot of error of J3/8 against parameter s. Key: squares. Names: C^1 ends.");
+  figure.picture = true;
+  EXPECT_EQ(figure_description(figure), "A picture of shapes. Key: squares. Names: C^1 ends.");
+}
+
 TEST(FigureScript, RejectsWhatIsMissing) {
   EXPECT_THROW((void)figure_script(figure_of("x", "z"), squares), std::logic_error);
   EXPECT_THROW((void)figure_script(figure_of("x", "name"), squares), std::logic_error);
@@ -44,7 +113,11 @@ TEST(DrawSvg, IsTheSameOnEveryRunAndCarriesNoDate) {
   const std::string svg = draw_svg(figure_of("x", "y"), squares);
   EXPECT_EQ(svg, draw_svg(figure_of("x", "y"), squares));
   EXPECT_TRUE(svg.starts_with("<?xml")) << svg.substr(0, 80);
-  EXPECT_NE(svg.find("It's φ"), std::string::npos);
+  EXPECT_NE(svg.find("<title id=\"figure-title\">It's φ</title>"), std::string::npos);
+  EXPECT_NE(svg.find("<desc id=\"figure-desc\">A plot of y against x. Key: squares.</desc>"),
+            std::string::npos);
+  EXPECT_NE(svg.find("role=\"img\""), std::string::npos);
+  EXPECT_EQ(svg.find("GNUPLOT"), std::string::npos) << "its version";
   EXPECT_EQ(svg.find("202"), std::string::npos) << "a year?";
 }
 
