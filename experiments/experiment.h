@@ -23,7 +23,7 @@ struct Curve {
   std::string series;
   std::string x;
   std::string y;
-  std::string label;  // shown in the key; empty hides it
+  std::string label;       // shown in the key; empty hides it
   std::string style = {};  // from report/figure_style.h; empty: the look of curve i of a figure
   std::vector<std::string> more = {};
   double right = 0;  // the drawing moves the curve by this in x and y: panels side by side
