@@ -9,10 +9,6 @@
 namespace subdiv {
 namespace {
 
-std::string link(const std::string& address, const std::string& text) {
-  return "<a href=\"" + html_text(address) + "\">" + html_text(text) + "</a>";
-}
-
 std::string row(const std::string& term, const std::string& html) {
   return "<div><dt>" + term + "</dt><dd>" + html + "</dd></div>\n";
 }
@@ -34,6 +30,20 @@ std::string list_of(const std::vector<std::string>& items) {
   return text;
 }
 
+/// The digits that are certain, 15 at most, without the noughts that only fill up.
+std::string digits_of(const ClaimRecord& claim) {
+  constexpr std::size_t any_width = 200;
+  ClaimRecord number = claim;
+  number.exact.reset();
+  std::string digits = value_text(number, any_width);
+  const bool is_decimal =
+      digits.find('.') != std::string::npos && digits.find_first_of("e[") == std::string::npos;
+  if (claim.lower != claim.upper || !is_decimal) return digits;
+  digits.erase(digits.find_last_not_of('0') + 1);
+  if (digits.back() == '.') digits.pop_back();
+  return digits;
+}
+
 std::string note_term(const ClaimRecord& claim) {
   return claim.verdict == to_string(Verdict::refuted) ? "What is true" : "Note";
 }
@@ -47,16 +57,16 @@ std::string rows(const ClaimRecord& claim, const ClaimContext& context, bool sha
   if (sharpened) {
     std::vector<std::string> links;
     for (const std::string& id : sharper_findings(claim, context.source.claims))
-      links.push_back(link("#" + id, id));
+      links.push_back(html_link("#" + id, id));
     text +=
         row("More is proved", links.empty() ? "The value lies strictly inside the bound." : list_of(links));
   }
   const std::string mentioned = figures_of(context.figures.mentioned, claim.id, [](const FileEntry& figure) {
-    return "<li>" + link("#" + figure_anchor(figure), figure.title) + "</li>";
+    return "<li>" + html_link("#" + figure_anchor(figure), figure.title) + "</li>";
   });
   if (!mentioned.empty()) text += row("Figure", "<ul>" + mentioned + "</ul>");
   if (const auto certificate = certificate_address(claim, *context.source.manifest)) {
-    text += row("Certificate", link(*certificate, claim.id + ".txt"));
+    text += row("Certificate", html_link(*certificate, claim.id + ".txt"));
   }
   return text;
 }
@@ -75,18 +85,17 @@ std::optional<std::string> certificate_address(const ClaimRecord& claim, const M
   return std::nullopt;
 }
 
-std::string html_value(const ClaimRecord& claim) {
+std::string html_value(const ClaimRecord& claim, ValueLength length) {
+  const bool brief = length == ValueLength::brief;
   const bool has_ends = claim.lower && claim.upper;
-  constexpr std::size_t any_width = 200;
-  ClaimRecord digits = claim;
-  digits.exact.reset();
-  std::string text = claim.exact ? code(*claim.exact) : "";
-  if (!has_ends) return text.empty() ? "none" : text;
   // An integer is its own digits; a fraction, a root and an expression are easier to compare as decimals.
-  const bool tells = claim.exact && claim.exact->find_first_not_of("-0123456789") == std::string::npos;
-  if (tells) return text;
-  text += (text.empty() ? "" : " = ") + code(value_text(digits, any_width));
-  if (claim.lower != claim.upper) {
+  const bool is_integer = claim.exact && claim.exact->find_first_not_of("-0123456789") == std::string::npos;
+  constexpr std::size_t brief_width = 60;
+  const bool too_long = brief && has_ends && claim.exact && claim.exact->size() > brief_width;
+  std::string text = claim.exact && !too_long ? code(*claim.exact) : "";
+  if (!has_ends || is_integer) return text.empty() ? "none" : text;
+  text += (text.empty() ? "" : " = ") + code(digits_of(claim));
+  if (!brief && claim.lower != claim.upper) {
     text +=
         "<br><span class=\"ends\">between " + code(*claim.lower) + " and " + code(*claim.upper) + "</span>";
   }

@@ -31,8 +31,10 @@ struct ClaimContext {
 /// value, what is true, the definition, sharper findings, the certificate, its figures.
 [[nodiscard]] std::string html_claim(const ClaimRecord& claim, const ClaimContext& context);
 
-/// A claim's value as HTML: the exact text, digits and the enclosure, as far as there are any.
-[[nodiscard]] std::string html_value(const ClaimRecord& claim);
+/// A claim's value as HTML: the exact text, the digits that are certain and the enclosure, as far as there
+/// are any; the brief one leaves the enclosure out, and exact text that is long.
+enum class ValueLength { full, brief };
+[[nodiscard]] std::string html_value(const ClaimRecord& claim, ValueLength length = ValueLength::full);
 
 /// The address of a claim's certificate, seen from the page; nothing where it has none.
 [[nodiscard]] std::optional<std::string> certificate_address(const ClaimRecord& claim,

@@ -51,20 +51,79 @@ std::string row(const std::string& term, const std::string& html) {
   return "<div><dt>" + term + "</dt><dd>" + html + "</dd></div>\n";
 }
 
-/// What each claim of an entry adds of its own; the printed string leads where there are several.
-std::string each(const Entry& entry, const std::function<std::string(const ClaimRecord&)>& html) {
-  if (entry.size() == 1) return html(*entry.front());
-  std::string text = "<ul>";
-  for (const ClaimRecord* claim : entry) {
-    text += "<li><q>" + html_text(claim->printed.value_or("")) + "</q>: " + html(*claim) + "</li>";
-  }
-  return text + "</ul>";
-}
+/// Texts of one entry. Ids of other claims become references [1], [2], .., which stand below the entry.
+class EntryText {
+ public:
+  EntryText(const Entry& entry, const std::set<std::string>& ids) : entry_(entry), ids_(ids) {}
 
-bool same_definition(const Entry& entry) {
-  return std::ranges::all_of(
-      entry, [&](const ClaimRecord* c) { return c->definition == entry.front()->definition; });
-}
+  [[nodiscard]] std::string with_references(const std::string& text) {
+    return html_with_ids(text, ids_, [&](const std::string& id) {
+      const auto known = std::ranges::find(references_, id);
+      const auto number = std::to_string(known - references_.begin() + 1);
+      if (known == references_.end()) references_.push_back(id);
+      return html_link("index.html#" + id, "[" + number + "]");
+    });
+  }
+
+  /// What each claim of the entry adds of its own; the printed string leads where there are several.
+  [[nodiscard]] std::string each(const std::function<std::string(const ClaimRecord&)>& html) const {
+    if (entry_.size() == 1) return html(*entry_.front());
+    std::string text = "<ul>";
+    for (const ClaimRecord* claim : entry_) {
+      text += "<li><q>" + html_text(claim->printed.value_or("")) + "</q>: " + html(*claim) + "</li>";
+    }
+    return text + "</ul>";
+  }
+
+  /// The sentences that all definitions have, then those of each claim.
+  [[nodiscard]] std::string definitions() {
+    if (entry_.size() == 1) return with_references(entry_.front()->definition);
+    const auto is_common = [&](const std::string& sentence) {
+      return std::ranges::all_of(entry_, [&](const ClaimRecord* claim) {
+        const auto own = sentences(claim->definition);
+        return std::ranges::find(own, sentence) != own.end();
+      });
+    };
+    std::string common;
+    for (const std::string& sentence : sentences(entry_.front()->definition)) {
+      if (is_common(sentence)) common += sentence + " ";
+    }
+    std::string text = with_references(common);
+    text += each([&](const ClaimRecord& claim) {
+      std::string own;
+      for (const std::string& sentence : sentences(claim.definition)) {
+        if (!is_common(sentence)) own += sentence + " ";
+      }
+      return with_references(own);
+    });
+    return text;
+  }
+
+  /// Links to the claim in the report and to what the texts refer to.
+  [[nodiscard]] std::string references() const {
+    std::string text = html_link("index.html#" + entry_.front()->id, entry_.front()->id);
+    for (std::size_t i = 0; i < references_.size(); ++i) {
+      text +=
+          ", [" + std::to_string(i + 1) + "] " + html_link("index.html#" + references_[i], references_[i]);
+    }
+    return text;
+  }
+
+ private:
+  static std::vector<std::string> sentences(const std::string& text) {
+    std::vector<std::string> result;
+    for (std::size_t begin = 0; begin < text.size();) {
+      const std::size_t end = std::min(text.find(". ", begin), text.size() - 1) + 1;
+      result.push_back(text.substr(begin, end - begin));
+      begin = text.find_first_not_of(' ', end);
+    }
+    return result;
+  }
+
+  const Entry& entry_;
+  const std::set<std::string>& ids_;
+  std::vector<std::string> references_;
+};
 
 std::string redo(const Entry& entry) {
   std::string command = "build/subdivlab reproduce";
@@ -73,44 +132,49 @@ std::string redo(const Entry& entry) {
          "</code></pre>";
 }
 
-std::string html_entry(const Document& document, const Entry& entry, const std::string& truth,
-                       const std::string& number, const std::set<std::string>& ids) {
+struct Terms {
+  const char* note;
+  const char* value;
+};
+
+std::string html_entry(const Entry& entry, const Terms& terms, const std::string& number,
+                       const std::set<std::string>& ids) {
   std::string text = "<article class=\"erratum\" id=\"" + html_text(entry.front()->id) + "\">\n<h4>" +
                      number + ". " + html_text(capitalised(place_of(*entry.front()))) + "</h4>\n";
   for (const ClaimRecord* claim : entry) {
     if (claim->printed) text += "<blockquote><p>" + html_text(*claim->printed) + "</p></blockquote>\n";
   }
-  text += "<dl>\n" + row(truth, html_with_links(entry.front()->note, ids, "index.html"));
-  const bool has_values = std::ranges::any_of(entry, [](const ClaimRecord* c) { return tells(*c); });
-  if (has_values) text += row("Found", each(entry, html_value));
-  text += row("What was asked", same_definition(entry)
-                                    ? html_with_links(entry.front()->definition, ids, "index.html")
-                                    : each(entry, [&](const ClaimRecord& claim) {
-                                        return html_with_links(claim.definition, ids, "index.html");
-                                      }));
+  EntryText own(entry, ids);
+  text += "<dl>\n" + row(terms.note, own.with_references(entry.front()->note));
+  if (std::ranges::any_of(entry, [](const ClaimRecord* c) { return tells(*c); })) {
+    text +=
+        row(terms.value, own.each([](const ClaimRecord& c) { return html_value(c, ValueLength::brief); }));
+  }
+  text += row("What we examined", own.definitions());
   if (entry.front()->verdict != to_string(Verdict::not_reproducible))
     text += row("How decided", how(*entry.front()));
   text += row("To redo it", redo(entry));
-  return text +
-         row("In the report", "<a href=\"index.html#" + html_text(entry.front()->id) + "\">Entry " + number +
-                                  " on " + html_text(document.key) + " beside the other claims</a>") +
-         "</dl>\n</article>\n";
+  return text + row("In the report", own.references()) + "</dl>\n</article>\n";
 }
 
 struct Kind {
   Verdict verdict;
   const char* title;
-  const char* truth;  // the term of the note
+  Terms terms;
   const char* about;
 };
 
 std::string html_document(const Document& document, const ReportSource& source,
                           const std::set<std::string>& ids) {
   constexpr std::array<Kind, 3> kinds{{
-      {Verdict::refuted, "What does not hold as printed", "What is true", ""},
-      {Verdict::inconsistent, "What measurements do not support", "What was measured",
+      {Verdict::refuted, "What does not hold as printed", {"What is true", "Found"}, ""},
+      {Verdict::inconsistent,
+       "What measurements do not support",
+       {"What was measured", "Share or value"},
        "These statements are matters of degree; what we measured speaks against them and proves nothing."},
-      {Verdict::not_reproducible, "What could not be recomputed", "What is missing",
+      {Verdict::not_reproducible,
+       "What could not be recomputed",
+       {"What is missing", "Our value"},
        "We would be grateful for the missing data or formulas."},
   }};
   std::string text;
@@ -121,7 +185,7 @@ std::string html_document(const Document& document, const ReportSource& source,
     text += "<section>\n<h3>" + std::string(kind.title) + "</h3>\n";
     if (*kind.about != '\0') text += "<p>" + std::string(kind.about) + "</p>\n";
     for (const Entry& entry : entries) {
-      text += html_entry(document, entry, kind.truth, std::to_string(++number), ids);
+      text += html_entry(entry, kind.terms, std::to_string(++number), ids);
     }
     text += "</section>\n";
   }

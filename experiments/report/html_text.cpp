@@ -42,8 +42,8 @@ std::string html_text(std::string_view text) {
   return result;
 }
 
-std::string html_with_links(std::string_view text, const std::set<std::string>& ids,
-                            const std::string& page) {
+std::string html_with_ids(std::string_view text, const std::set<std::string>& ids,
+                          const std::function<std::string(const std::string& id)>& html) {
   std::string result;
   std::size_t done = 0;
   for (std::size_t begin = 0; begin < text.size();) {
@@ -58,12 +58,20 @@ std::string html_with_links(std::string_view text, const std::set<std::string>& 
     const std::string word(text.substr(begin, end - begin));
     if (ids.contains(word) && (next == text.size() || !is_word_character(text[next]))) {
       result += html_text(text.substr(done, begin - done));
-      result += "<a href=\"" + html_text(page + "#" + word) + "\">" + html_text(word) + "</a>";
+      result += html(word);
       done = end;
     }
     begin = next;
   }
   return result + html_text(text.substr(done));
+}
+
+std::string html_with_links(std::string_view text, const std::set<std::string>& ids) {
+  return html_with_ids(text, ids, [](const std::string& id) { return html_link("#" + id, id); });
+}
+
+std::string html_link(const std::string& address, const std::string& text) {
+  return "<a href=\"" + html_text(address) + "\">" + html_text(text) + "</a>";
 }
 
 std::string svg_address(std::string_view svg) {

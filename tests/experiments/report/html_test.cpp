@@ -96,7 +96,7 @@ TEST(HtmlText, EscapesWhatIsMarkup) {
 TEST(HtmlText, LinksIdsAndNothingElse) {
   const std::set<std::string> ids{"fit.b2", "fit.b2.l1"};
   EXPECT_EQ(html_with_links("See fit.b2.l1.", ids), "See <a href=\"#fit.b2.l1\">fit.b2.l1</a>.");
-  EXPECT_EQ(html_with_links("(fit.b2)", ids, "index.html"), "(<a href=\"index.html#fit.b2\">fit.b2</a>)");
+  EXPECT_EQ(html_with_links("(fit.b2)", ids), "(<a href=\"#fit.b2\">fit.b2</a>)");
   for (const char* text : {"fit.b2.l2", "benefit.b2", "a/fit.b2", "fit.b2x", "Fit", "1.5", ""}) {
     EXPECT_EQ(html_with_links(text, ids), text);
   }
@@ -207,6 +207,12 @@ TEST(HtmlValue, ShowsTextDigitsAndEnds) {
   EXPECT_EQ(html_value(record),
             "<code>1/3</code> = <code>0.333333333333333</code><br><span class=\"ends\">between "
             "<code>0.333333333333333333</code> and <code>0.333333333333333334</code></span>");
+  EXPECT_EQ(html_value(record, ValueLength::brief), "<code>1/3</code> = <code>0.333333333333333</code>");
+  record.exact = std::string(61, '1') + "/3";
+  EXPECT_EQ(html_value(record, ValueLength::brief), "<code>0.333333333333333</code>");
+  record.exact = "193/200";
+  record.lower = record.upper = "0.965000000000000000";
+  EXPECT_EQ(html_value(record), "<code>193/200</code> = <code>0.965</code>");
   record.exact = "-2";
   record.lower = record.upper = "-2";
   EXPECT_EQ(html_value(record), "<code>-2</code>");
@@ -223,7 +229,7 @@ TEST(ErrataPage, SaysWhatIsPrintedTrueAndHowToRedoIt) {
   EXPECT_TRUE(contains(entry, "<h4>1. Section V-B, (12)</h4>"));
   EXPECT_TRUE(
       contains(entry, "<blockquote><p>&lt;script&gt;alert(&#39;x&#39;)&lt;/script&gt;</p></blockquote>"));
-  EXPECT_TRUE(contains(entry, "It is 3 &lt; 4, see <a href=\"index.html#a.exact.c1\">"));
+  EXPECT_TRUE(contains(entry, "It is 3 &lt; 4, see <a href=\"index.html#a.exact.c1\">[1]</a>, and"));
   EXPECT_TRUE(contains(entry, "Decided in exact arithmetic."));
   EXPECT_TRUE(contains(entry, "<code>build/subdivlab reproduce a.refuted</code>"));
   EXPECT_TRUE(contains(entry, "href=\"index.html#a.refuted\""));
@@ -243,6 +249,7 @@ TEST(ErrataPage, OneNoteMakesOneEntry) {
   const std::string page = errata_page(sample.source());
   EXPECT_EQ(occurrences(page, "class=\"erratum\""), 3U);
   EXPECT_TRUE(contains(page, "reproduce a.bound.c1 a.refuted</code>"));
+  EXPECT_TRUE(contains(page, "more&quot;</q>: the definition of <a href=\"index.html#a.bound.c1\">"));
 }
 
 TEST(ErrataPage, SaysWhenThereIsNone) {
