@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "analysis/area_mask.h"
+#include "analysis/iterate_norm.h"
 #include "analysis/limit_mask.h"
 #include "analysis/uniform_bspline.h"
 #include "optimize/continuum_fit.h"
@@ -81,6 +82,39 @@ std::vector<Function> popping_residuals(const Objective& objective, const Scheme
   }
 }
 
+/// For each residue class of the difference scheme the sums of its coefficients with all signs, up to a
+/// common one: the largest absolute value of all is the norm.
+std::vector<Function> difference_residuals(const Objective& objective, const Scheme<Function>& scheme) {
+  constexpr int most = 10;  // coefficients of a class
+  if (!scheme.is_stationary()) lacks(to_string(objective), scheme, "the objective needs a stationary scheme");
+  const auto difference = difference_symbol(scheme.last(), objective.continuity);
+  if (!difference) {
+    lacks(to_string(objective), scheme,
+          fmt::format("the scheme has fewer than {} smoothing factors for all values of its parameters",
+                      objective.continuity + 1));
+  }
+  std::vector<Function> residuals;
+  for (int r = 0; r < scheme.arity(); ++r) {
+    std::vector<Function> sums{Function(0)};
+    const Laurent<Function> members = residue_class(*difference, r, scheme.arity());
+    if (members.size() > most) {
+      lacks(to_string(objective), scheme,
+            fmt::format("a residue class of the difference scheme has {} coefficients, more than {}",
+                        members.size(), most));
+    }
+    for (const Function& c : members.coefficients()) {
+      const std::size_t before = sums.size();
+      const bool is_first = before == 1 && sums.front().is_zero();
+      for (std::size_t i = 0; i < before; ++i) {
+        if (!is_first) sums.push_back(sums[i] - c);
+        sums[i] += c;
+      }
+    }
+    residuals.insert(residuals.end(), sums.begin(), sums.end());
+  }
+  return residuals;
+}
+
 std::vector<Function> residuals_of(const Scheme<Function>& scheme, const Objective& objective,
                                    const Problem& problem) {
   const Function half = fraction<Function>(1, 2);
@@ -98,6 +132,8 @@ std::vector<Function> residuals_of(const Scheme<Function>& scheme, const Objecti
     case Objective::Kind::popping:
       require_primal(to_string(objective), scheme);
       return popping_residuals(objective, scheme, problem);
+    case Objective::Kind::difference_norm:
+      return difference_residuals(objective, scheme);
   }
   throw std::logic_error("no such objective");
 }
@@ -106,6 +142,7 @@ std::vector<Function> residuals_of(const Scheme<Function>& scheme, const Objecti
 /// steps a level.
 bool takes_any_arity(const Objective& objective) {
   return objective.kind == Objective::Kind::vertex || objective.kind == Objective::Kind::area ||
+         objective.kind == Objective::Kind::difference_norm ||
          (objective.kind == Objective::Kind::fit_bspline && !objective.continuum);
 }
 
@@ -123,6 +160,9 @@ Problem make_problem(const Scheme<Function>& scheme, const Objective& objective,
                      std::vector<Range> box, std::vector<std::string> names) {
   if (!takes_any_arity(objective)) require_binary(to_string(objective), scheme);
   require_steps(to_string(objective), scheme);
+  if (objective.kind == Objective::Kind::difference_norm && norm != Norm::linf) {
+    lacks(to_string(objective), scheme, "the norm of a difference scheme is linf, not " + to_string(norm));
+  }
   const bool squared = is_continuum(objective);
   if (squared && norm != Norm::l2) {
     lacks(to_string(objective), scheme,

@@ -17,6 +17,7 @@ constexpr int greatest_degree = 20;
 constexpr int greatest_fit_level = 10;
 constexpr int greatest_popping_level = 8;
 constexpr int documents_fit_level = 8;
+constexpr int greatest_continuity = 20;
 
 const std::array table{
     ObjectiveDescription{
@@ -42,6 +43,12 @@ const std::array table{
         {{"level=K",
           fmt::format("the level to optimise, 1 to {}; 1 when not given", greatest_popping_level)}},
         "popping:level=2"},
+    ObjectiveDescription{
+        "difference-norm",
+        "norm of the difference scheme of an order, which proves continuity where it is below 1",
+        "linf",
+        {{"continuity=M", fmt::format("for C^M, M from 0 to {}; must be given", greatest_continuity)}},
+        "difference-norm:continuity=2"},
 };
 
 Objective::Kind parse_kind(std::string_view name) {
@@ -85,6 +92,8 @@ void apply_option(const ObjectiveDescription& entry, std::string_view option, Ob
     objective.level = parse_number(place, value, 1, fits ? greatest_fit_level : greatest_popping_level);
   } else if (fits && name == "continuum" && !has_value) {
     objective.continuum = true;
+  } else if (objective.kind == Objective::Kind::difference_norm && name == "continuity") {
+    objective.continuity = parse_number(place, value, 0, greatest_continuity);
   } else {
     unknown_option(entry, option);
   }
@@ -117,6 +126,10 @@ Objective parse_objective(std::string_view text) {
     if (!objective.continuum && objective.level == 0) objective.level = documents_fit_level;
   }
   if (objective.kind == Objective::Kind::popping && objective.level == 0) objective.level = 1;
+  if (objective.kind == Objective::Kind::difference_norm && objective.continuity < 0) {
+    throw InputError(
+        fmt::format("objective {}: give the order of continuity, as in {}", entry.name, entry.example));
+  }
   return objective;
 }
 
@@ -125,6 +138,7 @@ std::string to_string(const Objective& objective) {
   if (objective.degree != 0) options.push_back(fmt::format("degree={}", objective.degree));
   if (objective.level != 0) options.push_back(fmt::format("level={}", objective.level));
   if (objective.continuum) options.emplace_back("continuum");
+  if (objective.continuity >= 0) options.push_back(fmt::format("continuity={}", objective.continuity));
   const std::string& name = table[static_cast<std::size_t>(objective.kind)].name;
   return options.empty() ? name : fmt::format("{}:{}", name, fmt::join(options, ","));
 }

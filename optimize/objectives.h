@@ -26,29 +26,36 @@ namespace subdiv {
 /// - popping: the coefficients of (L(z) - S(z)) P(z^2), L linear subdivision, S the scheme, P what the levels
 ///   before made of an impulse with the parameters that were best for each of them in turn (level=1)
 ///   (jsplines 11).
+/// - difference-norm: of the scheme that refines the differences of the c-th divided differences
+///   (continuity=c, must be given): the largest sum of absolute values in a residue class of its mask
+///   (analysis/iterate_norm.h), which proves C^c below 1; in linf alone, where the residuals are the sums of
+///   each class with all signs.
 ///
-/// All work in every norm; fit-bspline (without continuum), vertex and area for schemes of any arity, the
-/// others for arity 2; for primal schemes in all but fit-bspline and area, for stationary ones in popping.
+/// All but the last work in every norm; fit-bspline (without continuum), vertex, area and difference-norm for
+/// schemes of any arity, the others for arity 2; for primal schemes in vertex, edge and popping, for
+/// stationary ones in popping and difference-norm.
 struct Objective {
-  enum class Kind { fit_bspline, vertex, edge, area, popping };
-  Kind kind = Kind::vertex;
-  int degree = 0;  // fit-bspline
-  int level = 0;   // fit-bspline without continuum, popping
-  bool continuum = false;
+  enum class Kind { fit_bspline, vertex, edge, area, popping, difference_norm };
+  Kind kind = Kind::vertex;  ///< which of them
+  int degree = 0;            ///< fit-bspline
+  int level = 0;             ///< fit-bspline without continuum, popping
+  bool continuum = false;    ///< the limit function in place of a level
+  int continuity = -1;       // difference_norm
 };
 
+/// An option of an objective, for the list.
 struct ObjectiveOption {
-  std::string name;
-  std::string description;
+  std::string name;         ///< as it is written
+  std::string description;  ///< with its range
 };
 
 /// An entry of the list of objectives.
 struct ObjectiveDescription {
   std::string name;
-  std::string description;  // one line
-  std::string norms;        // which apply: "l1, l2, linf"
-  std::vector<ObjectiveOption> options;
-  std::string example;
+  std::string description;               ///< one line
+  std::string norms;                     ///< which apply: "l1, l2, linf"
+  std::vector<ObjectiveOption> options;  ///< those that it takes
+  std::string example;                   ///< a command line
 };
 
 /// All of them, in the order of the documents.
@@ -56,6 +63,7 @@ struct ObjectiveDescription {
 
 /// Throws InputError that lists the valid names, options or values.
 [[nodiscard]] Objective parse_objective(std::string_view text);
+/// As it is written on the command line.
 [[nodiscard]] std::string to_string(const Objective& objective);
 
 /// The residuals of an objective as a problem over the box, one range a parameter in the order of the

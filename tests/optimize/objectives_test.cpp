@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "analysis/iterate_norm.h"
+#include "analysis/uniform_bspline.h"
 #include "schemes/algebra/univariate.h"
 #include "schemes/bspline.h"
 #include "schemes/dyn_floater_hormann.h"
@@ -50,12 +52,12 @@ Rational at(const Function& f, const Rational& value) {
 }
 
 TEST(Objectives, EveryListedExampleParsesAndPrintsItself) {
-  EXPECT_EQ(objectives().size(), 5U);
+  EXPECT_EQ(objectives().size(), 6U);
   for (const ObjectiveDescription& entry : objectives()) {
     const Objective objective = parse_objective(entry.example);
     EXPECT_EQ(to_string(parse_objective(to_string(objective))), to_string(objective));
     EXPECT_FALSE(entry.description.empty());
-    EXPECT_EQ(entry.norms, "l1, l2, linf");
+    EXPECT_EQ(entry.norms, objective.kind == Objective::Kind::difference_norm ? "linf" : "l1, l2, linf");
   }
 }
 
@@ -75,7 +77,8 @@ TEST(Objectives, OptionsAndDefaults) {
 
 TEST(Objectives, BadNamesAndOptionsSayWhatWouldBeRight) {
   EXPECT_NE(parse_error("vertx").find("'vertex'"), std::string::npos);
-  EXPECT_NE(parse_error("").find("fit-bspline, vertex, edge, area and popping"), std::string::npos);
+  EXPECT_NE(parse_error("").find("fit-bspline, vertex, edge, area, popping and difference-norm"),
+            std::string::npos);
   EXPECT_NE(parse_error("vertex:level=2").find("it takes none"), std::string::npos);
   EXPECT_NE(parse_error("popping:levels=2").find("level=K"), std::string::npos);
   EXPECT_NE(parse_error("popping:level=0").find("from 1 to 8"), std::string::npos);
@@ -229,12 +232,69 @@ TEST(PoppingObjective, OtherNormsFollowTheirOwnSchedule) {
   EXPECT_GT(second.minimiser[0].lower, Rational(1, 7));
 }
 
+/// Hassan, Ivrissimtzis, Dodgson & Sabin 2002.
+Mask<Function> ternary_four_point(const Function& mu) {
+  const auto sum = [&](int p, int q, int r) {
+    return fraction<Function>(p, 18) + mu * fraction<Function>(q, r);
+  };
+  const Function far = sum(-1, -1, 6);
+  const Function end = sum(-1, 1, 6);
+  const Function near = sum(13, 1, 2);
+  const Function next = sum(7, -1, 2);
+  return {3, Laurent<Function>(-5, {end, far, 0, next, near, 1, near, next, 0, far, end})};
+}
+
+TEST(DifferenceNorm, IsTheNormOfTheFirstPower) {
+  const Mask<Function> schemes[] = {ternary_four_point(x), jspline(x), four_point(x)};
+  for (const Mask<Function>& mask : schemes) {
+    const Problem p = problem(mask, "difference-norm:continuity=1");
+    for (const Rational& value : {Rational(0), Rational(1, 11), Rational(-3, 7), Rational(2)}) {
+      Rational largest;
+      for (const Function& r : p.residuals) largest = std::max(largest, abs(at(r, value)));
+      const Mask<Rational> fixed = map_coefficients(mask, [&](const Function& f) { return at(f, value); });
+      EXPECT_EQ(largest, iterate_norms(*difference_symbol(fixed, 1), mask.arity, 1).at(1));
+    }
+  }
+}
+
+TEST(DifferenceNorm, OfTheTernaryFourPointSchemeIsLeastAtOneEleventh) {
+  // By hand: d = ((3 mu - 1)/2, 1 - 6 mu, 9 mu, 1 - 6 mu, (3 mu - 1)/2), in classes 3/2 - 15/2 mu and 9 mu.
+  const Summary best = solve(scheme(ternary_four_point(x)), "difference-norm:continuity=2", Norm::linf,
+                             {{Rational(1, 15), Rational(1, 9)}});
+  EXPECT_EQ(best.minimiser[0].exact, "1/11");
+  EXPECT_EQ(best.minimum.exact, "9/11");
+  EXPECT_EQ(best.termination, Termination::proved);
+}
+
+TEST(DifferenceNorm, SaysWhatItNeeds) {
+  EXPECT_NE(parse_error("difference-norm").find("order of continuity"), std::string::npos);
+  const auto reason = [&](const std::string& objective, Norm norm) {
+    return error_of([&] { (void)problem(jspline(x), objective, norm); });
+  };
+  EXPECT_NE(reason("difference-norm:continuity=9", Norm::linf).find("fewer than 10"), std::string::npos);
+  EXPECT_NE(reason("difference-norm:continuity=1", Norm::l1).find("linf"), std::string::npos);
+}
+
+TEST(FitObjective, OfATernarySchemeComparesAtThirds) {
+  // One step of the quadratic B-spline's ternary mask (1, 3, 6, 7, 6, 3, 1)/9 at i/3 beside its values there.
+  const Mask<Function> quadratic{
+      3, map_coefficients(pow(Laurent<Rational>(-1, {1, 1, 1}), 3),
+                          [](const Rational& q) { return Function(q / Rational(9)); })};
+  const Problem p = problem(quadratic, "fit-bspline:degree=2,level=1");
+  const UniformBspline b(2);
+  const Rational ninths[] = {1, 3, 6, 7, 6, 3, 1};
+  for (int i = -3; i <= 3; ++i) {
+    const Rational expected = ninths[i + 3] / Rational(9) - b.value(Rational(i, 3));
+    EXPECT_NE(std::find(p.residuals.begin(), p.residuals.end(), Function(expected)), p.residuals.end()) << i;
+  }
+}
+
 TEST(Objectives, SchemesThatLackWhatIsNeededAreToldWhat) {
   const auto reason = [&](const Scheme<Function>& s, const std::string& objective, Norm norm) {
     return error_of([&] { (void)make_problem(s, parse_objective(objective), norm, {range}, {"x"}); });
   };
   const Mask<Function> ternary{3, Laurent<Function>(-1, {1, 1, 1})};
-  EXPECT_NE(reason(scheme(ternary), "vertex", Norm::linf).find("arity 2"), std::string::npos);
+  EXPECT_NE(reason(scheme(ternary), "edge", Norm::linf).find("arity 2"), std::string::npos);
   EXPECT_NE(reason(scheme({2, Laurent<Function>(-1, {x, 1, x})}), "area", Norm::linf).find("not to 2"),
             std::string::npos);
   EXPECT_NE(reason(scheme(bspline<Function>(2)), "vertex", Norm::linf).find("centre is 1/2"),
