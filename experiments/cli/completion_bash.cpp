@@ -128,7 +128,7 @@ constexpr const char* tail =
   elif [[ $word == -* && $place =~ ^[0-9]+$ ]]; then
     kind="choice $options"
   fi
-  # shellcheck disable=SC2086
+  # shellcheck disable=SC2046,SC2086
   case $kind in
     choice*) _subdivlab_words ${kind#choice} ;;
     file)
@@ -141,7 +141,11 @@ constexpr const char* tail =
       ;;
     scheme) _subdivlab_schemes @CURVES@ ;;
     mesh_scheme) _subdivlab_schemes @MESHES@ ;;
-    any_scheme) _subdivlab_schemes @CURVES@ @MESHES@ ;;
+    any_scheme)
+      _subdivlab_schemes @CURVES@ @MESHES@
+      # Behind --scheme, the first word is a file.
+      while IFS= read -r candidate; do COMPREPLY+=("$candidate"); done < <(compgen -f -X '*.json' -- "$word")
+      ;;
     objective) _subdivlab_words @OBJECTIVES@ ;;
     claim) _subdivlab_words $(_subdivlab_claims) ;;
   esac

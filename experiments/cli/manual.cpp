@@ -1,3 +1,5 @@
+#include <sstream>
+
 #include "experiments/cli/usage.h"
 
 namespace subdiv::cli {
@@ -41,9 +43,20 @@ std::string synopsis(const VerbUsage& verb) {
   return text;
 }
 
-std::string sentence(std::string text) {
-  if (!text.ends_with('.')) text += '.';
-  return line_of(text);
+/// Text with a full stop, in lines of the length that manuals have.
+std::string sentence(const std::string& text) {
+  constexpr std::size_t width = 78;
+  std::istringstream words(text.ends_with('.') ? text : text + ".");
+  std::string result;
+  std::string line;
+  for (std::string word; words >> word;) {
+    if (!line.empty() && line.size() + 1 + word.size() > width) {
+      result += line_of(line);
+      line.clear();
+    }
+    line += (line.empty() ? "" : " ") + word;
+  }
+  return result + line_of(line);
 }
 
 /// One entry of a list of options or words.
@@ -70,10 +83,17 @@ std::string entry(const OptionUsage& option) {
 std::string section_of(const VerbUsage& verb) {
   std::string text = ".Ss " + verb.name + "\n" + synopsis(verb) + ".Pp\n" + sentence(verb.summary);
   for (const std::string& note : verb.notes) text += sentence(note);
-  text += ".Bl -tag -width Ds\n";
+  const std::string list = ".Bl -tag -width Ds\n";
+  text += list;
   for (const OptionUsage& word : verb.words) text += entry(word);
-  for (const OptionUsage& option : verb.options) text += entry(option);
-  text += ".El\n";
+  for (const OptionUsage& option : verb.options) {
+    if (option.names.front() != "--help") text += entry(option);
+  }
+  if (text.ends_with(list)) {
+    text.erase(text.size() - list.size());
+  } else {
+    text += ".El\n";
+  }
   if (verb.examples.empty()) return text;
   text += ".Bd -literal -offset indent\n";
   for (const std::string& example : verb.examples) text += line_of(example);
@@ -96,11 +116,15 @@ constexpr const char* description = R"(.Nm
 .Nm
 .Fl -version
 .Sh DESCRIPTION
-Subdivision schemes turn a coarse polygon, grid or mesh into a smooth curve or surface by local averages.
+Subdivision schemes turn a coarse polygon, grid or mesh into a smooth curve or
+surface by local averages.
 .Nm
-answers questions about a scheme (smoothness, limit and area masks, reproduction of polynomials, eigenvalues),
-looks for the parameters that are best for an objective, draws what a scheme makes of given points,
-and regenerates the claims of the papers on J-splines, polyloops and surface rings of adjustable speed.
+answers questions about a scheme (smoothness, limit and area masks,
+reproduction of polynomials, eigenvalues),
+looks for the parameters that are best for an objective, draws what a scheme
+makes of given points,
+and regenerates the claims of the papers on J-splines, polyloops and surface
+rings of adjustable speed.
 .Pp
 What it says is exact, certified or approximate, and it says which (see
 .Sx VERDICTS ) .
@@ -112,24 +136,30 @@ the notation of schemes in
 .Sx SCHEMES .
 Options and words of a verb may stand in any order;
 .Fl -
-ends the options.
+ends the options,
+.Fl -help
+prints those of a verb, with examples.
 .Sh VERBS
 )";
 
 constexpr const char* tail = R"(.Sh SCHEMES
 .Ar SCHEME
-is a named family or a scheme file, with values for its parameters behind a colon:
+is a named family or a scheme file, with values for its parameters behind a
+colon:
 .Bd -literal -offset indent
 SCHEME = STEP { + STEP }
 STEP   = (NAME | FILE.json) [ : parameter = value { , parameter = value } ]
 .Ed
 .Pp
-Steps joined by + are those of a mixed scheme; the last of them repeats for ever.
+Steps joined by + are those of a mixed scheme; the last of them repeats for
+ever.
 .Ql jspline:s=-33/26+jspline:s=3/2
 takes one step of J_s with s = -33/26 and all others with s = 3/2.
 .Pp
-Values are exact: integers, quotients p/q, decimals (taken as the number that they show), sqrt(..),
-and expressions of these with + - * / ^ and parentheses; a sum in a value stands in parentheses.
+Values are exact: integers, quotients p/q, decimals (taken as the number that
+they show), sqrt(..),
+and expressions of these with + - * / ^ and parentheses; a sum in a value
+stands in parentheses.
 A name in the place of a value leaves the parameter free:
 .Ql four-point:w=w
 is answered for all w at once,
@@ -151,7 +181,8 @@ The name, in quotes.
 .It Cm parameters
 May be left out: names with default values, such as { "w": "1/16" }.
 .It Cm mask
-{ "first": I, "coefficients": [..] }: coefficient k of the list, from 0, takes control point j to the refined point
+{ "first": I, "coefficients": [..] }: coefficient k of the list, from 0, takes
+control point j to the refined point
 I + k + arity j.
 .It Cm symbol
 In place of
@@ -163,7 +194,8 @@ May be left out: where the scheme comes from.
 .Pp
 Numbers are as above; JSON numbers count as the decimals that they show.
 The coefficients must add up to the arity.
-The schema scheme.schema.json, beside this manual in the sources and in share/subdivlab/schemas when installed,
+The schema scheme.schema.json, beside this manual in the sources and in
+share/subdivlab/schemas when installed,
 says the same for editors.
 .Ss Objectives
 .Ar NAME Ns Op : Ns Ar option Ns = Ns Ar value Ns Op ,...
@@ -249,7 +281,8 @@ Done; a refuted claim is a result.
 .It 1
 A comparison fails, a verdict changed, or an experiment broke.
 .It 2
-Bad input or usage: the message on standard error says where, what is wrong and what would be right.
+Bad input or usage: the message on standard error says where, what is wrong
+and what would be right.
 .It 3
 Undecided within the budget.
 .El
@@ -260,7 +293,8 @@ subdivlab analyze four-point:w=1/16
 subdivlab certify four-point:w=w --over w=-1/4..1/4 --continuity 1
 .Ed
 .Pp
-The first step whose limit comes nearest to the control points, before quintic B-splines:
+The first step whose limit comes nearest to the control points, before quintic
+B-splines:
 .Bd -literal -offset indent
 subdivlab optimize jspline:s=r+jspline:s=3/2 --over r=-2..2 --objective vertex --norm linf
 .Ed
