@@ -158,7 +158,7 @@ class Certificate:
             f, x = go(args[0]), args[1].id
             if name == 'diff': return derivative(f, x)
             if name == 'subst': return substitute(f, x, go(args[2]))
-            need(x not in str(f.den), name + ' of a quotient')
+            need(all(x not in dict(k) for k in f.den), name + ' of a quotient')
             parts = by_power(f.num, x)
             if name == 'coef': return F(parts.get(whole(go(args[2])), {}), f.den)
             return const(min(parts) if name == 'low' else max(parts))
@@ -225,7 +225,7 @@ class Certificate:
         for f in polys:
             if f.den != ONE and f.den not in dens: dens.append(f.den)
         for i, f in enumerate(polys):  # times the square of the common denominator D: an exact product for each
-            for d in dens: f = F(p_mul(f.num, p_mul(d, d) if d != f.den else d), ONE)  if d != f.den else F(p_mul(f.num, d), f.den)
+            for d in dens: f = F(p_mul(f.num, d if d == f.den else p_mul(d, d)), f.den)
             polys[i] = F(self.reduced(f.num))
         if dens and not strict:
             for d in dens: self.cover('definite', [F(d)], const(0), '.')
