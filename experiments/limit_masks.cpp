@@ -240,7 +240,8 @@ void add_retrofit_ranges(Results& results, const Laurent<Function>& limit) {
       equality("retrofit.finite", !wider, wider ? "false for odd n" : "true",
                "The iteration converges on closed loops of 3, 5 and 7 points for values of s outside " +
                    infinite_text +
-                   " (see retrofit.finite.n3, .n5, .n7): an odd loop lacks the frequency pi. The papers' own "
+                   " (see retrofit.finite.n3, retrofit.finite.n5 and retrofit.finite.n7): an odd loop lacks "
+                   "the frequency pi. The papers' own "
                    "example of a retrofitted "
                    "triangle is such a loop. For even loops the infinite range is exact."));
   results.claims.push_back(

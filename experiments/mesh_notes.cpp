@@ -193,9 +193,12 @@ void add_solids(Results& results) {
   results.claims.push_back(statement(
       "notes.loop.manifold.solid", !fault, fmt::format("{} edge with four triangles", of_four),
       fmt::format(
-          "Two cubes that share an edge are refused: face {} {}. Solids whose surface is a manifold have a "
-          "manifold triangulation. This one's has it only with two copies of the common edge, one for each "
-          "cube: the two meshes part there.",
+          "Two cubes that share an edge, and nothing else, have no such surface: four triangles meet at that "
+          "edge "
+          "(the triangulation is refused: face {} {}). Solids whose surface is a manifold have a manifold "
+          "triangulation. This one's has it only with two copies of the common edge, one for each cube: the "
+          "two "
+          "meshes part there.",
           fault ? fault->face + 1 : 0, fault ? fault->what : "")));
 }
 

@@ -120,8 +120,9 @@ void add_blend(Results& results) {
   const std::string found = to_factored_string(difference, names);
   results.claims.push_back(
       settle_statement(claim("mesh.blend.literal"), difference.is_zero(), found,
-                       "z^3 w^3 (J_s(z) J_s(w) - (1-s) J_0(z) J_0(w) - s J_1(z) J_1(w)) is this polynomial, "
-                       "0 only at s = 0 and 1: "
+                       "z^3 w^3 (J_s(z) J_s(w) - (1-s) J_0(z) J_0(w) - s J_1(z) J_1(w)) is the polynomial "
+                       "found, which is 0 only at s = 0 and 1: "
+                       ""
                        "the tensor product is quadratic in s. The papers' scheme is J_s x J_s in regular "
                        "regions only if it is "
                        "extended in each direction on its own, as the directional scheme is."));

@@ -210,7 +210,7 @@ void add_closeness(Results& results) {
   }
   results.claims.push_back(
       settle_share(head_of("popping.fixed.close"), both, static_cast<int>(fixed.size()),
-                   fmt::format("Smaller than that of *J_0 on {}, than that of *J_1 on {}.",
+                   fmt::format("It is smaller than that of *J_0 on {}, and than that of *J_1 on {}.",
                                less_than_four_point, less_than_cubic),
                    Rigour::approximate));
 }

@@ -130,8 +130,9 @@ void add_distances(Results& results) {
   for (std::size_t i = 0; i < nearest.size(); ++i) {
     counts += fmt::format("{}{}: {}", counts.empty() ? "" : ", ", names()[i], nearest[i]);
   }
-  results.claims.push_back(share("polyloops.j5.others", nearest[place_of_j5],
-                                 "Nearest of the polygons of level 5 is " + counts + "."));
+  results.claims.push_back(share(
+      "polyloops.j5.others", nearest[place_of_j5],
+      "The polygon nearest to L is, of the six of level 5, counted by polygons L, that of " + counts + "."));
 }
 
 void add_popping(Results& results) {
@@ -163,9 +164,9 @@ void add_popping(Results& results) {
   std::string counts;
   for (std::size_t i = 0; i < least.size(); ++i)
     counts += fmt::format("{}{}: {}", counts.empty() ? "" : ", ", names()[i], least[i]);
-  results.claims.push_back(settle_share(head_of("polyloops.j5.popping"), least[place_of_j5],
-                                        levels * family_size(), "The least is that of " + counts + ".",
-                                        Rigour::certified));
+  results.claims.push_back(settle_share(
+      head_of("polyloops.j5.popping"), least[place_of_j5], levels * family_size(),
+      "The least is, counted by pairs of a polygon and a level, that of " + counts + ".", Rigour::certified));
 }
 
 /// Every curve on every stored polygon: area and distance relative to it, normal jerk.

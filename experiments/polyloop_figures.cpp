@@ -22,7 +22,9 @@ const std::array table{
                            "second, by winding number."},
     ClaimHead{"figure.polyloops.inwards-out.non-convex", "polyloops", "3.1, figure",
               "inwards out, J0, J2, J4, J6, and J8 for a square control polyloop and for a non-convex one",
-              ClaimKind::exact, "The same on polyloop-non-convex.csv."},
+              ClaimKind::exact,
+              level_five + "of two curves that follow each other every vertex of the first lies within the "
+                           "second, by winding number. On the polyloop of polyloop-non-convex.csv."},
     finding("figure.polyloops.superposed", "polyloops 3.1, figure",
             "On the self-intersecting polyloop-crossing.csv: the signed area of level 5 of J8 over that of "
             "J0."),

@@ -127,8 +127,10 @@ void add_shapes(Results& results) {
   std::string counts;
   for (std::size_t i = 0; i < above.size(); ++i)
     counts += fmt::format("{}{} on {}", counts.empty() ? "" : ", ", names()[i], above[i]);
-  results.claims.push_back(settle_share(head_of("polyloops.jm.pleasant"), least, family_size(),
-                                        "Jm has less than " + counts + ".", Rigour::approximate));
+  results.claims.push_back(
+      settle_share(head_of("polyloops.jm.pleasant"), least, family_size(),
+                   "Jm has less than J0, J2 and so on, each taken alone, as follows: " + counts + ".",
+                   Rigour::approximate));
 }
 
 }  // namespace

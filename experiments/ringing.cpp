@@ -285,7 +285,8 @@ void add_code(Results& results) {
   const bool works = lead(returned_points(reused, expected.size()), expected).has_value();
   results.claims.push_back(settle_statement(
       claim("ringing.appendix.reset"), works, works ? "true" : "false",
-      "reset() sets the flags of the old depth and then takes the new one. With d=rec first it is right."));
+      "The method sets the flags of the old depth and then takes the new one, so that a changed number of "
+      "refinements gives wrong points. With d=rec before the loop it is right."));
 
   std::size_t most = 0;
   for (;; ++most) {
@@ -319,12 +320,13 @@ void add_trace(Results& results) {
   const auto settle_trace = [&](const std::string& id, bool holds, const std::string& note) {
     results.claims.push_back(settle_statement(claim(id), holds, holds ? "true" : "false", note));
   };
-  settle_trace(
-      "ringing.appendix.stepper-comment", names_b3,
-      "It counts from the last ring: the ring pushed with b3 is rec minus the number, and a number of "
-      "rec stands for a control point.");
+  settle_trace("ringing.appendix.stepper-comment", names_b3,
+               "The number that is returned counts from the last ring: the ring pushed with b3 is rec minus "
+               "the number, and a number of "
+               "rec stands for a control point.");
   settle_trace("ringing.appendix.stepper-text", highest,
-               "The last ring, r_L, is advanced at every step; rec minus the number is the lowest index.");
+               "The highest index that is advanced is always that of the last ring, r_L; rec minus the "
+               "number returned is the lowest one.");
   // After (a), the captions' steps: (b) r0 loads, (c) r1 by f23, (d) by f23, (e) by b3, (f) r1 by b3,
   // (g) by f23 and the last by b3: three calls, then the next begins.
   std::vector<std::pair<std::size_t, char>> order;
@@ -333,8 +335,9 @@ void add_trace(Results& results) {
   const std::vector<std::pair<std::size_t, char>> captions{{0, '0'}, {1, 'f'}, {0, 'f'}, {0, 'b'},
                                                            {1, 'b'}, {0, 'f'}, {0, 'b'}};
   settle_trace("ringing.figure-14", order == captions,
-               "They advance r2, the last ring, from r1; r0 is loaded with control points alone. The letter "
-               "(e) stands twice.");
+               "Steps (d), (e), (g) and the last advance r2, the last ring, from r1; r0 is loaded with "
+               "control points alone. The letter "
+               "(e) stands twice in the caption.");
 }
 
 /// Where the functions of a ring put their point when A, .., E stand at the abscissae 1, .., 5: J_s keeps
@@ -345,13 +348,16 @@ void add_places(Results& results) {
   const Rational weight(1, 3);
   const Rational f23 = ring.f23(weight) - Rational(1, 2);
   const Rational b3 = ring.b3(weight);
-  const auto settle_place = [&](const std::string& id, const Rational& found, int said, const char* what) {
+  const auto settle_place = [&](const std::string& id, const Rational& found, int said,
+                                fmt::format_string<std::string> what) {
     const bool holds = found == Rational(said);
-    results.claims.push_back(settle_statement(claim(id), holds, holds ? "true" : "false",
-                                              fmt::format("It is {} {}.", what, found.to_string())));
+    results.claims.push_back(
+        settle_statement(claim(id), holds, holds ? "true" : "false", fmt::format(what, found.to_string())));
   };
-  settle_place("ringing.appendix.f23-comment", f23, 4, "the mid-edge point of edge");
-  settle_place("ringing.appendix.b3-comment", b3, 5, "the point of vertex");
+  settle_place("ringing.appendix.f23-comment", f23, 4,
+               "The function returns the mid-edge point of edge {}, not of the fourth.");
+  settle_place("ringing.appendix.b3-comment", b3, 5,
+               "The function returns the point of vertex {}, not of the fifth.");
 }
 
 }  // namespace

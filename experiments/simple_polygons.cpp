@@ -55,7 +55,8 @@ const std::string& simple_polygons_text() {
 Claim settle_share(const ClaimHead& head, int count, int total, std::string note, Rigour rigour) {
   Enclosure value = exact(Rational(count, total), "counted");
   value.rigour = rigour;
-  const std::string counted = fmt::format("{} of {}.{}{}", count, total, note.empty() ? "" : " ", note);
+  const std::string counted =
+      fmt::format("So it is on {} of {}.{}{}", count, total, note.empty() ? "" : " ", note);
   if (!head.printed) {
     const Verdict verdict = rigour == Rigour::approximate ? Verdict::undecided : Verdict::established;
     return settle_as(head, verdict, value, counted);

@@ -108,7 +108,9 @@ void add_border_formulas(Results& results, std::span<const ClaimHead> heads, con
   const std::size_t corrected = broken_joins(border_formulas(h, cosine, Function(1)), cosine);
   results.claims.push_back(settle_statement(
       head(heads, "speed.eq9.c2"), printed == 0, fmt::format("{} of 9 identities fail", printed),
-      fmt::format("With z3 c̄ in t22 (speed.eq9.t22) {} fail, whatever z0 .. z4 and n are.", corrected)));
+      fmt::format("As printed, {} of the nine identities of C2 joins fail. With z3 c̄ in place of z3 s̄ in t22 "
+                  "(see speed.eq9.t22) {} of them fail, whatever z0 .. z4 and n are.",
+                  printed, corrected)));
   if (corrected != 0) throw std::logic_error("the corrected border joins C2");
 }
 

@@ -94,7 +94,9 @@ std::string html_value(const ClaimRecord& claim, ValueLength length) {
   const bool too_long = brief && has_ends && claim.exact && claim.exact->size() > brief_width;
   std::string text = claim.exact && !too_long ? code(*claim.exact) : "";
   if (!has_ends || is_integer) return text.empty() ? "none" : text;
-  text += (text.empty() ? "" : " = ") + code(digits_of(claim));
+  std::string digits = digits_of(claim);
+  if (claim.exact && digits.starts_with('~')) digits.erase(0, 1);  // a counted share, itself exact
+  text += (text.empty() ? "" : " = ") + code(digits);
   if (!brief && claim.lower != claim.upper) {
     text +=
         "<br><span class=\"ends\">between " + code(*claim.lower) + " and " + code(*claim.upper) + "</span>";

@@ -255,7 +255,7 @@ TEST(LectureNotes, TwoCubesThatShareAnEdgeAreNoManifold) {
   const Claim& solid = found("notes.loop.manifold.solid");
   EXPECT_EQ(solid.verdict, Verdict::refuted);
   EXPECT_EQ(solid.exact, "1 edge with four triangles");
-  EXPECT_NE(solid.note.find("are refused: face "), std::string::npos) << solid.note;
+  EXPECT_NE(solid.note.find("is refused: face "), std::string::npos) << solid.note;
 }
 
 // Second divided differences of the four-point curve of a unit impulse grow with every level, those of the

@@ -77,7 +77,7 @@ TEST(SimplePolygons, SharesOfMoreThanHalfAreUsual) {
   EXPECT_EQ(settle_share(printed, 101, 200).verdict, Verdict::reproduced);
   EXPECT_EQ(settle_share(printed, 100, 200).verdict, Verdict::refuted);
   EXPECT_EQ(settle_share(printed, 150, 200).exact, "3/4");
-  EXPECT_EQ(settle_share(printed, 150, 200, "So.").note, "150 of 200. So.");
+  EXPECT_EQ(settle_share(printed, 150, 200, "So.").note, "So it is on 150 of 200. So.");
   EXPECT_EQ(settle_share(printed, 101, 200, "", Rigour::approximate).verdict, Verdict::consistent);
   EXPECT_EQ(settle_share(printed, 100, 200, "", Rigour::approximate).verdict, Verdict::inconsistent);
 }
