@@ -56,14 +56,15 @@ std::string group_anchor(const Document& document, const Group& group) {
   return "section:" + document.key + ":" + group.name;
 }
 
-/// "section 3, abstract": the sections of a group's claims, each once, without figures and equations; those
+/// "§3, abstract": the sections of a group's claims, each once, without figures and equations; those
 /// of findings with their documents.
 std::string sections_of(const Group& group) {
   std::vector<std::string> sections;
   for (const ClaimRecord* claim : group.claims) {
     const std::string section = own_section(*claim);
     std::string words = subject_of(*claim) == claim->document ? "" : subject_of(*claim) + " ";
-    words += section.substr(0, std::min(section.find(','), section.find(" (")));
+    const bool numbered = section.find_first_of("0123456789IV") == 0;
+    words += (numbered ? "§" : "") + section.substr(0, std::min(section.find(','), section.find(" (")));
     if (std::ranges::find(sections, words) == sections.end()) sections.push_back(words);
   }
   std::string text;

@@ -109,7 +109,8 @@ footer { border-top: 1px solid var(--line); margin-top: 2rem; color: var(--faint
     --good: #116329; --good-back: #ffffff; --bad: #a40e26; --bad-back: #ffffff; --open: #7a4a00; --open-back: #ffffff;
     --own: #4b2a99; --own-back: #ffffff; --target: #ffffff;
   }
-  body { font-size: 9.5pt; line-height: 1.35; }
+  html { font-size: 9.5pt; }
+  body { line-height: 1.35; }
   .aside, .skip, nav.pages { display: none; }
   .columns { display: block !important; }
   header, .columns, footer { max-width: none; padding: 0; }

@@ -156,7 +156,7 @@ TEST(ReportPage, HoldsEveryClaimInTheOrderOfDocuments) {
     EXPECT_GT(page.find(anchor), last) << id;
     last = page.find(anchor);
   }
-  EXPECT_TRUE(contains(page, "<h3>First &amp; foremost <span class=\"sections\">3, V-B</span></h3>"));
+  EXPECT_TRUE(contains(page, "<h3>First &amp; foremost <span class=\"sections\">§3, §V-B</span></h3>"));
   EXPECT_TRUE(contains(page, "<h2>a paper of one&#39;s own</h2>"));
 }
 
