@@ -64,8 +64,8 @@ struct Results {
 struct Experiment {
   std::string name;   // "area"
   std::string title;  // "Area preservation (js-report 8, jsplines 8)"
-  std::span<const ClaimHead> (*heads)();
-  Results (*run)();
+  std::function<std::span<const ClaimHead>()> heads;
+  std::function<Results()> run;
 };
 
 /// Every experiment, in the order of the documents' sections. The one list that names them (registry.cpp).

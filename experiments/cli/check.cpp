@@ -1,5 +1,6 @@
 #include <iostream>
 
+#include "experiments/cli/chosen_experiments.h"
 #include "experiments/cli/progress.h"
 #include "experiments/cli/verbs.h"
 #include "experiments/report/compare.h"
@@ -20,8 +21,10 @@ bool means(const CheckOptions& options, const std::string& id) {
 }  // namespace
 
 int check(const CheckOptions& options) {
-  const Selection selection = select(experiments(), options.patterns);
-  const ResultsFolder committed = load_results(options.against);
+  const std::string against = chosen_folder(options.against, options.claims, "--against");
+  const std::vector<Experiment> all = chosen_experiments(options.claims);
+  const Selection selection = select(all, options.patterns);
+  const ResultsFolder committed = load_results(against);
 
   std::vector<Outcome> outcomes;
   {
@@ -29,10 +32,10 @@ int check(const CheckOptions& options) {
     outcomes = run(selection.experiments, options.jobs,
                    [&](const Experiment& experiment) { progress.finished(experiment.name); });
   }
-  auto differences = compare(options.against, committed, outcomes,
-                             [&](const std::string& id) { return means(options, id); });
+  auto differences =
+      compare(against, committed, outcomes, [&](const std::string& id) { return means(options, id); });
   if (selection.everything) {
-    for (std::string& difference : page_differences(options.against, experiments(), committed))
+    for (std::string& difference : page_differences(against, all, committed))
       differences.push_back(std::move(difference));
   }
   for (const Outcome& outcome : outcomes) {
@@ -40,8 +43,8 @@ int check(const CheckOptions& options) {
       differences.push_back("experiment '" + outcome.experiment->name + "' broke: " + outcome.error);
   }
   for (const std::string& difference : differences) std::cout << difference << "\n";
-  std::cout << selection.ids.size() << " claims checked against " << options.against << ": "
-            << differences.size() << (differences.size() == 1 ? " difference\n" : " differences\n");
+  std::cout << selection.ids.size() << " claims checked against " << against << ": " << differences.size()
+            << (differences.size() == 1 ? " difference\n" : " differences\n");
   return differences.empty() ? ExitCode::done : ExitCode::differs;
 }
 

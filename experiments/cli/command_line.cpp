@@ -51,6 +51,7 @@ struct CommandLine {
   AnalyzeOptions analyze_options;
   OptimizeOptions optimize_options;
   CertifyOptions certify_options;
+  PlotOptions plot_options;
   EigenOptions eigen_options;
   RefineOptions refine_options;
   std::pair<std::string, std::string> refine_words;  // in the order in which they stand
@@ -74,6 +75,7 @@ struct CommandLine {
     add_analyze();
     add_optimize();
     add_certify();
+    add_plot();
     add_eigen();
     add_refine();
     add_rings();
@@ -93,12 +95,15 @@ struct CommandLine {
         *app.add_subcommand("reproduce", "Run experiments, write the results folder, print the claims");
     verb.add_option("PATTERN", options.patterns,
                     "Claims by id, with * and ?: their experiments run (default: all)");
-    verb.add_option("--out,-o", options.out, "The results folder to write")
-        ->type_name("DIR")
-        ->capture_default_str();
+    verb.add_option("--claims", options.claims,
+                    "Claims of your own, a JSON file, instead of those of the papers; --out is required then")
+        ->type_name("FILE.json");
+    verb.add_option("--out,-o", options.out, "The results folder to write (default: results)")
+        ->type_name("DIR");
     add_jobs(verb, options.jobs);
     verb.footer(std::string("Examples:  subdivlab reproduce\n"
-                            "           subdivlab reproduce 'family.*' 'area.r' --out /tmp/results\n\n") +
+                            "           subdivlab reproduce 'family.*' 'area.r' --out /tmp/results\n"
+                            "           subdivlab reproduce --claims mine.json --out my-results\n\n") +
                 exit_codes);
     verb.callback([this] { action = [this] { return reproduce(reproduce_options); }; });
   }
@@ -107,11 +112,16 @@ struct CommandLine {
     auto& options = check_options;
     CLI::App& verb = *app.add_subcommand("check", "Run experiments again and compare with a results folder");
     verb.add_option("PATTERN", options.patterns, "Claims by id, with * and ? (default: all)");
-    verb.add_option("--against", options.against, "The results folder to compare with")
-        ->type_name("DIR")
-        ->capture_default_str();
+    verb.add_option(
+            "--claims", options.claims,
+            "Claims of your own, a JSON file, instead of those of the papers; --against is required then")
+        ->type_name("FILE.json");
+    verb.add_option("--against", options.against, "The results folder to compare with (default: results)")
+        ->type_name("DIR");
     add_jobs(verb, options.jobs);
-    verb.footer(std::string("Example:  subdivlab check 'area.*' --against results\n\n") + exit_codes);
+    verb.footer(std::string("Examples:  subdivlab check 'area.*' --against results\n"
+                            "           subdivlab check --claims mine.json --against my-results\n\n") +
+                exit_codes);
     verb.callback([this] { action = [this] { return check(check_options); }; });
   }
 
@@ -192,6 +202,23 @@ struct CommandLine {
                             "--continuity 1 --json\n\n") +
                 exit_codes);
     verb.callback([this] { action = [this] { return certify(certify_options); }; });
+  }
+
+  void add_plot() {
+    auto& options = plot_options;
+    CLI::App& verb = *app.add_subcommand("plot", "Draw a basis function, or smoothness over a parameter");
+    verb.add_option("SCHEME", options.scheme, "The scheme; with --over one parameter stays free")->required();
+    verb.add_option("--over", options.over,
+                    "Draw the Hoelder exponent and the certified ranges over the free parameter")
+        ->type_name("s=LO..HI");
+    verb.add_option("--out,-o", options.out, "A .svg file; - for standard output")
+        ->type_name("FIGURE.svg")
+        ->required();
+    verb.footer(
+        std::string("Examples:  subdivlab plot jspline:s=3/2 -o basis.svg\n"
+                    "           subdivlab plot four-point:w=w --over w=0..1/4 -o smoothness.svg\n\n") +
+        exit_codes);
+    verb.callback([this] { action = [this] { return plot(plot_options); }; });
   }
 
   void add_eigen() {
@@ -448,9 +475,12 @@ struct CommandLine {
 
   void add_list() {
     auto& options = list_options;
-    CLI::App& verb = *app.add_subcommand("list", "Name the schemes, the claims, the objectives");
-    verb.add_option("WHAT", options.what, "schemes, claims or objectives (default: all three)")
-        ->check(CLI::IsMember({"schemes", "claims", "objectives"}));
+    CLI::App& verb =
+        *app.add_subcommand("list", "Name the schemes, the claims, the objectives, the definitions");
+    verb.add_option("WHAT", options.what,
+                    "schemes, claims, objectives or definitions, of which your own claims can be made "
+                    "(default: all)")
+        ->check(CLI::IsMember({"schemes", "claims", "objectives", "definitions"}));
     verb.add_flag("--json", options.json, "Machine-readable output");
     verb.footer("Examples:  subdivlab list schemes\n           subdivlab list claims --json");
     verb.callback([this] { action = [this] { return list(list_options); }; });

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "experiments/cli/verbs.h"
+#include "experiments/definitions.h"
 #include "experiments/experiment.h"
 #include "experiments/report/utf8.h"
 #include "optimize/objectives.h"
@@ -148,6 +149,40 @@ Json objectives_json() {
   return list;
 }
 
+void print_definitions() {
+  for (const Definition& definition : definitions()) {
+    std::cout << definition.name << ": " << definition.summary << "\n";
+    for (const DefinitionArgument& argument : definition.arguments) {
+      std::cout << "  " << padded(argument.name, 12) << argument.range() << ": " << argument.meaning
+                << (argument.required                ? ""
+                    : argument.default_value.empty() ? " (may be left out)"
+                                                     : " (" + argument.default_value + " when not given)")
+                << "\n";
+    }
+    std::cout << "  example: " << definition.example << "\n";
+  }
+}
+
+Json definitions_json() {
+  Json list = Json::array();
+  for (const Definition& definition : definitions()) {
+    Json arguments = Json::array();
+    for (const DefinitionArgument& argument : definition.arguments) {
+      arguments.push_back(
+          {{"name", argument.name},
+           {"meaning", argument.meaning},
+           {"range", argument.range()},
+           {"required", argument.required},
+           {"default", argument.default_value.empty() ? Json(nullptr) : Json(argument.default_value)}});
+    }
+    list.push_back({{"name", definition.name},
+                    {"summary", definition.summary},
+                    {"arguments", std::move(arguments)},
+                    {"example", Json::parse(definition.example)}});
+  }
+  return list;
+}
+
 struct Section {
   const char* name;
   void (*print)();
@@ -159,7 +194,8 @@ struct Section {
 int list(const ListOptions& options) {
   constexpr Section sections[] = {{"schemes", print_schemes, schemes_json},
                                   {"claims", print_claims, claims_json},
-                                  {"objectives", print_objectives, objectives_json}};
+                                  {"objectives", print_objectives, objectives_json},
+                                  {"definitions", print_definitions, definitions_json}};
   Json all = Json::object();
   bool first = true;
   for (const Section& section : sections) {

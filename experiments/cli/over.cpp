@@ -18,9 +18,9 @@ Rational parse_end(std::string_view text, const std::string& place) {
   }
 }
 
-/// One piece "s=LO..HI" of --over.
-ParameterRange parse_range(std::string_view text, RangeEnds ends) {
-  const std::string place = "--over " + in_quotes(text) + ": ";
+/// One piece "s=LO..HI" of the option.
+ParameterRange parse_range(std::string_view text, RangeEnds ends, const std::string& option) {
+  const std::string place = option + " " + in_quotes(text) + ": ";
   const std::size_t equals = text.find('=');
   const std::size_t dots = text.find("..", equals == std::string_view::npos ? 0 : equals);
   if (equals == std::string_view::npos || dots == std::string_view::npos) {
@@ -39,30 +39,30 @@ ParameterRange parse_range(std::string_view text, RangeEnds ends) {
 }  // namespace
 
 std::vector<ParameterRange> parse_over(std::string_view text, const std::vector<std::string>& free_parameters,
-                                       RangeEnds ends) {
+                                       RangeEnds ends, const std::string& option) {
   if (free_parameters.empty()) {
-    throw InputError(
-        "--over: the scheme has no free parameter; give a parameter a name as its value, such as "
-        "jspline:s=s");
+    throw InputError(option +
+                     ": the scheme has no free parameter; give a parameter a name as its value, such as "
+                     "jspline:s=s");
   }
   std::vector<ParameterRange> given;
   for (std::size_t begin = 0; begin <= text.size();) {
     const std::size_t end = std::min(text.find(',', begin), text.size());
-    given.push_back(parse_range(trimmed(text.substr(begin, end - begin)), ends));
+    given.push_back(parse_range(trimmed(text.substr(begin, end - begin)), ends, option));
     begin = end + 1;
   }
   std::vector<ParameterRange> box;
   for (const std::string& name : free_parameters) {
     const auto count = std::ranges::count(given, name, &ParameterRange::name);
     if (count == 0)
-      throw InputError("--over: the free parameter " + in_quotes(name) + " has no range; add " + name +
+      throw InputError(option + ": the free parameter " + in_quotes(name) + " has no range; add " + name +
                        "=LO..HI");
-    if (count > 1) throw InputError("--over: " + in_quotes(name) + " has two ranges; give one");
+    if (count > 1) throw InputError(option + ": " + in_quotes(name) + " has two ranges; give one");
     box.push_back(*std::ranges::find(given, name, &ParameterRange::name));
   }
   for (const ParameterRange& range : given) {
     if (std::ranges::find(free_parameters, range.name) != free_parameters.end()) continue;
-    throw InputError("--over: " + in_quotes(range.name) + " is no free parameter of the scheme; it has " +
+    throw InputError(option + ": " + in_quotes(range.name) + " is no free parameter of the scheme; it has " +
                      joined(free_parameters, "and"));
   }
   return box;

@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <iostream>
 
+#include "experiments/cli/chosen_experiments.h"
 #include "experiments/cli/progress.h"
 #include "experiments/cli/verbs.h"
 #include "experiments/report/files.h"
@@ -44,17 +45,20 @@ int count_changed_verdicts(const ResultsFolder& old, std::span<const ClaimRecord
 }  // namespace
 
 int reproduce(const ReproduceOptions& options) {
-  const Selection selection = select(experiments(), options.patterns);
+  const std::string out = chosen_folder(options.out, options.claims, "--out");
+  const std::vector<Experiment> all = chosen_experiments(options.claims);
+  const Selection selection = select(all, options.patterns);
   require_gnuplot();
-  const std::filesystem::path folder = options.out;
+  require_own_folder(out, options.claims, all);
+  const std::filesystem::path folder = out;
   const ResultsFolder old = old_results(folder, selection.everything);
   prepare_folder(folder);
 
   Progress progress(selection.experiments.size());
   const auto outcomes = run(selection.experiments, options.jobs,
                             [&](const Experiment& experiment) { progress.finished(experiment.name); });
-  const ResultsFolder merged = merge(experiments(), outcomes, old, selection.everything);
-  write_results(folder, experiments(), outcomes, old, merged);
+  const ResultsFolder merged = merge(all, outcomes, old, selection.everything);
+  write_results(folder, all, outcomes, old, merged);
 
   std::vector<ClaimRecord> chosen;
   std::copy_if(merged.claims.begin(), merged.claims.end(), std::back_inserter(chosen),

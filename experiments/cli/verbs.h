@@ -15,7 +15,8 @@ enum ExitCode : int {
 
 struct ReproduceOptions {
   std::vector<std::string> patterns;
-  std::string out = "results";
+  std::string claims;  // a file of one's own claims (experiments/own_claims.h) instead of the built-in ones
+  std::string out;     // empty: results, which with claims of one's own is an error
   int jobs = 1;
 };
 /// Runs experiments, writes the results folder and prints the table of claims.
@@ -23,7 +24,8 @@ struct ReproduceOptions {
 
 struct CheckOptions {
   std::vector<std::string> patterns;
-  std::string against = "results";
+  std::string claims;   // as for reproduce
+  std::string against;  // empty: results, which with claims of one's own is an error
   int jobs = 1;
 };
 /// Runs experiments, prints how they differ from a results folder, writes nothing.
@@ -48,6 +50,14 @@ struct OptimizeOptions {
 };
 /// Minimises a named objective over a box of the scheme's free parameters, with proof.
 [[nodiscard]] int optimize(const OptimizeOptions& options);
+
+struct PlotOptions {
+  std::string scheme;
+  std::string over;  // "w=0..1/10": the exponent over the only free parameter; empty: the basis function
+  std::string out;   // .svg, or - for standard output
+};
+/// Draws the basis function of a scheme, or its smoothness over a parameter.
+[[nodiscard]] int plot(const PlotOptions& options);
 
 struct CertifyOptions {
   std::string scheme;
@@ -151,7 +161,7 @@ struct VerifyOptions {
 [[nodiscard]] int verify(const VerifyOptions& options);
 
 struct ListOptions {
-  std::string what;  // schemes, claims, objectives, or empty for all three
+  std::string what;  // schemes, claims, objectives, definitions, or empty for all
   bool json = false;
 };
 [[nodiscard]] int list(const ListOptions& options);

@@ -1,0 +1,46 @@
+#include "experiments/cli/chosen_experiments.h"
+
+#include <algorithm>
+#include <set>
+
+#include "experiments/own_claims.h"
+#include "experiments/report/folder.h"
+#include "schemes/input_error.h"
+#include "schemes/text.h"
+
+namespace subdiv::cli {
+
+std::vector<Experiment> chosen_experiments(const std::string& claims_file) {
+  if (!claims_file.empty()) return own_experiments(read_own_claims(claims_file));
+  const auto all = experiments();
+  return {all.begin(), all.end()};
+}
+
+std::string chosen_folder(const std::string& given, const std::string& claims_file,
+                          const std::string& option) {
+  if (!given.empty()) return given;
+  if (claims_file.empty()) return "results";
+  throw InputError("--claims " + claims_file +
+                   ": name the results folder of your own claims, too: " + option + " DIR");
+}
+
+void require_own_folder(const std::string& folder, const std::string& claims_file,
+                        const std::vector<Experiment>& own) {
+  if (claims_file.empty()) return;
+  std::set<std::string> ids;
+  for (const Experiment& experiment : experiments()) {
+    for (const ClaimHead& head : experiment.heads()) ids.insert(head.id);
+  }
+  for (const Experiment& experiment : own) {
+    for (const ClaimHead& head : experiment.heads()) ids.erase(head.id);
+  }
+  const auto there = load_results_if_any(folder);
+  if (!there) return;
+  for (const ClaimRecord& claim : there->claims) {
+    if (!ids.contains(claim.id)) continue;
+    throw InputError(folder + " holds the claims of the papers, " + in_quotes(claim.id) +
+                     " among them; name another folder for those of " + claims_file);
+  }
+}
+
+}  // namespace subdiv::cli
