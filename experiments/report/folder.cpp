@@ -108,9 +108,8 @@ std::vector<FileEntry> figures_of(const Outcome& outcome) {
   return entries;
 }
 
-/// The figure as an earlier run drew it; empty where there is none.
-std::string drawn_before(const fs::path& folder, const std::string& name) {
-  const fs::path path = figure_path(folder, name);
+/// What an earlier run wrote; empty where there is nothing.
+std::string written_before(const fs::path& path) {
   std::error_code ignored;
   return fs::exists(path, ignored) ? read_file(path) : "";
 }
@@ -168,9 +167,11 @@ void write_results(const fs::path& folder, std::span<const Experiment> all, std:
                    const ResultsFolder& old, const ResultsFolder& merged) {
   std::vector<NewFile> files;
   std::map<std::string, std::string> drawn;
+  std::map<std::string, std::string> tables;
   for (const Outcome& outcome : outcomes) {
     for (const Series& series : outcome.results.series) {
-      files.push_back({series_path(folder, series.name), series_to_csv(series)});
+      tables[series.name] = series_to_csv(series);
+      files.push_back({series_path(folder, series.name), tables[series.name]});
     }
     for (const Figure& figure : outcome.results.figures) {
       drawn[figure.name] = draw_svg(figure, outcome.results.series);
@@ -179,9 +180,13 @@ void write_results(const fs::path& folder, std::span<const Experiment> all, std:
   }
   const auto picture = [&](const std::string& name) {
     const auto found = drawn.find(name);
-    return found == drawn.end() ? drawn_before(folder, name) : found->second;
+    return found == drawn.end() ? written_before(figure_path(folder, name)) : found->second;
   };
-  for (Page& page : derived_pages({all, merged.claims, &merged.manifest, picture})) {
+  const auto table = [&](const std::string& name) {
+    const auto found = tables.find(name);
+    return found == tables.end() ? written_before(series_path(folder, name)) : found->second;
+  };
+  for (Page& page : derived_pages({all, merged.claims, &merged.manifest, picture, table})) {
     files.push_back({folder / page.name, std::move(page.text)});
   }
   files.push_back({folder / "claims.csv", claims_to_csv(merged.claims)});
@@ -204,8 +209,9 @@ void write_results(const fs::path& folder, std::span<const Experiment> all, std:
 std::vector<std::string> page_differences(const fs::path& folder, std::span<const Experiment> all,
                                           const ResultsFolder& committed) {
   std::vector<std::string> result;
-  const auto picture = [&](const std::string& name) { return drawn_before(folder, name); };
-  for (const Page& page : derived_pages({all, committed.claims, &committed.manifest, picture})) {
+  const auto picture = [&](const std::string& name) { return written_before(figure_path(folder, name)); };
+  const auto table = [&](const std::string& name) { return written_before(series_path(folder, name)); };
+  for (const Page& page : derived_pages({all, committed.claims, &committed.manifest, picture, table})) {
     const fs::path path = folder / page.name;
     std::error_code ignored;
     if (!fs::exists(path, ignored)) {

@@ -17,6 +17,7 @@ struct ReportSource {
   std::span<const ClaimRecord> claims;
   const Manifest* manifest = nullptr;
   std::function<std::string(const std::string& name)> picture;  // a figure's SVG; empty where there is none
+  std::function<std::string(const std::string& name)> series = {};  // a table's CSV; the same
 };
 
 /// What claims of one page have in common.
@@ -35,6 +36,10 @@ struct ClaimContext {
 /// are any; the brief one leaves the enclosure out, and exact text that is long.
 enum class ValueLength { full, brief };
 [[nodiscard]] std::string html_value(const ClaimRecord& claim, ValueLength length = ValueLength::full);
+
+/// Whether a printed claim does not hold, is not supported or cannot be recomputed: whether the errata have
+/// it.
+[[nodiscard]] bool is_erratum(const ClaimRecord& claim);
 
 /// The address of a claim's certificate, seen from the page; nothing where it has none.
 [[nodiscard]] std::optional<std::string> certificate_address(const ClaimRecord& claim,

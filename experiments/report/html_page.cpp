@@ -30,12 +30,14 @@ std::string links(const std::string& name) {
 std::string html_page(const HtmlPage& page) {
   std::string text =
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-      "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; "
-      "style-src 'unsafe-inline'; script-src 'unsafe-inline'\">\n"
+      "<meta http-equiv=\"Content-Security-Policy\" content=\"" +
+      page.policy +
+      "\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
       "<meta name=\"color-scheme\" content=\"light dark\">\n"
       "<link rel=\"icon\" href=\"data:,\">\n<title>" +
-      html_text(page.title) + "</title>\n<style>\n" + html_style() + "</style>\n</head>\n<body>\n";
+      html_text(page.title) + "</title>\n<style>\n" + html_style() + page.style +
+      "</style>\n</head>\n<body>\n";
   text += "<a class=\"skip\" href=\"#content\">Skip to the content</a>\n<header>\n<h1>" +
           html_text(page.title) + "</h1>\n" + page.lead + links(page.name) +
           "</header>\n<div class=\"columns\">\n";
@@ -45,7 +47,7 @@ std::string html_page(const HtmlPage& page) {
       "</main>\n</div>\n<footer><p>Written by <code>subdivlab reproduce</code>. The same in other forms: "
       "<a href=\"../claims.json\">claims.json</a>, <a href=\"../claims.csv\">claims.csv</a>.</p></footer>\n";
   if (page.with_script) text += "<script>\n" + html_script() + "</script>\n";
-  return text + "</body>\n</html>\n";
+  return text + page.scripts + "</body>\n</html>\n";
 }
 
 }  // namespace subdiv

@@ -13,7 +13,11 @@ struct HtmlPage {
   std::string aside;    // HTML beside the content: navigation, filters; may be empty
   std::string content;  // HTML
   bool with_script = false;
-  std::string name;  // "index.html", which the links leave out
+  std::string name;          // "index.html", which the links leave out
+  std::string style = {};    // CSS behind the common style sheet
+  std::string scripts = {};  // script elements at the end of the page
+  std::string policy =
+      "default-src 'none'; img-src data:; style-src 'unsafe-inline'; script-src 'unsafe-inline'";
 };
 
 [[nodiscard]] std::string html_page(const HtmlPage& page);

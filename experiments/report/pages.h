@@ -14,7 +14,7 @@ struct Page {
   std::string text;
 };
 
-/// README.md, report/index.html and report/errata.html.
+/// README.md, report/index.html, report/errata.html and report/explorer.html.
 [[nodiscard]] std::vector<Page> derived_pages(const ReportSource& source);
 
 /// Their names, in the same order.

@@ -1,0 +1,36 @@
+#include "experiments/explorer/assets.h"
+
+// The assembler puts the files into the program as they are: no compiler reads half a megabyte of literals.
+// SUBDIVLAB_EXPLORER_FOLDER is this folder.
+#define SUBDIVLAB_ASSET(name, file)                                                                      \
+  __asm__(".pushsection .rodata\n" #name ":\n.incbin \"" SUBDIVLAB_EXPLORER_FOLDER "/" file "\"\n" #name \
+          "_end:\n.byte 0\n.global " #name "\n.global " #name "_end\n.popsection\n");                    \
+  extern "C" const char name[];                                                                          \
+  extern "C" const char name##_end[]
+
+SUBDIVLAB_ASSET(subdivlab_explorer_core, "explorer_core.js");
+SUBDIVLAB_ASSET(subdivlab_explorer_script, "page.js");
+SUBDIVLAB_ASSET(subdivlab_explorer_style, "page.css");
+SUBDIVLAB_ASSET(subdivlab_explorer_content, "page.html");
+SUBDIVLAB_ASSET(subdivlab_explorer_controls, "controls.html");
+
+namespace subdiv::explorer {
+namespace {
+
+std::string_view between(const char* begin, const char* end) {
+  return {begin, static_cast<std::size_t>(end - begin)};
+}
+
+}  // namespace
+
+std::string_view core_script() { return between(subdivlab_explorer_core, subdivlab_explorer_core_end); }
+std::string_view page_script() { return between(subdivlab_explorer_script, subdivlab_explorer_script_end); }
+std::string_view page_style() { return between(subdivlab_explorer_style, subdivlab_explorer_style_end); }
+std::string_view page_content() {
+  return between(subdivlab_explorer_content, subdivlab_explorer_content_end);
+}
+std::string_view page_controls() {
+  return between(subdivlab_explorer_controls, subdivlab_explorer_controls_end);
+}
+
+}  // namespace subdiv::explorer
