@@ -1,6 +1,7 @@
 #include "experiments/report/html_claim.h"
 
 #include <algorithm>
+#include <array>
 
 #include "experiments/report/html_documents.h"
 #include "experiments/report/html_text.h"
@@ -65,6 +66,8 @@ std::string rows(const ClaimRecord& claim, const ClaimContext& context, bool sha
     return "<li>" + html_link("#" + figure_anchor(figure), figure.title) + "</li>";
   });
   if (!mentioned.empty()) text += row("Figure", "<ul>" + mentioned + "</ul>");
+  if (is_erratum(claim))
+    text += row("For the authors", html_link("errata.html#" + claim.id, "the entry in the errata"));
   if (const auto certificate = certificate_address(claim, *context.source.manifest)) {
     text += row("Certificate", html_link(*certificate, claim.id + ".txt"));
   }
@@ -72,6 +75,12 @@ std::string rows(const ClaimRecord& claim, const ClaimContext& context, bool sha
 }
 
 }  // namespace
+
+bool is_erratum(const ClaimRecord& claim) {
+  constexpr std::array verdicts{Verdict::refuted, Verdict::inconsistent, Verdict::not_reproducible};
+  return claim.printed &&
+         std::ranges::any_of(verdicts, [&](Verdict v) { return claim.verdict == to_string(v); });
+}
 
 ClaimContext context_of(const ReportSource& source) {
   ClaimContext context{source, place_figures(source.manifest->figures, source.claims), {}};

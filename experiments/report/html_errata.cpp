@@ -142,7 +142,8 @@ std::string html_entry(const Entry& entry, const Terms& terms, const std::string
   std::string text = "<article class=\"erratum\" id=\"" + html_text(entry.front()->id) + "\">\n<h4>" +
                      number + ". " + html_text(capitalised(place_of(*entry.front()))) + "</h4>\n";
   for (const ClaimRecord* claim : entry) {
-    if (claim->printed) text += "<blockquote><p>" + html_text(*claim->printed) + "</p></blockquote>\n";
+    const std::string anchor = claim == entry.front() ? "" : " id=\"" + html_text(claim->id) + "\"";
+    text += "<blockquote" + anchor + "><p>" + html_text(claim->printed.value_or("")) + "</p></blockquote>\n";
   }
   EntryText own(entry, ids);
   text += "<dl>\n" + row(terms.note, own.with_references(entry.front()->note));

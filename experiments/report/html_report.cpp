@@ -148,7 +148,8 @@ std::string filters(const ReportSource& source, std::span<const Document> docume
       "<form id=\"filters\" role=\"search\" aria-label=\"Filter the claims\" hidden>\n"
       "<p><label for=\"words\">Search</label> <input type=\"search\" id=\"words\" name=\"q\" "
       "autocomplete=\"off\" "
-      "placeholder=\"words, numbers, ids\"></p>\n<fieldset><legend>Verdict</legend>\n";
+      "placeholder=\"words, numbers, ids\"></p>\n<details id=\"choices\" "
+      "open><summary>Choices</summary>\n<fieldset><legend>Verdict</legend>\n";
   for (const Verdict verdict : verdicts) {
     const std::string word = to_string(verdict);
     text += choice("verdict", word, word, count(source.claims, &ClaimRecord::verdict, word));
@@ -168,7 +169,7 @@ std::string filters(const ReportSource& source, std::span<const Document> docume
                    count(source.claims, &ClaimRecord::document, document.key));
   }
   return text +
-         "</fieldset>\n<p class=\"result\"><output id=\"status\" role=\"status\" "
+         "</fieldset>\n</details>\n<p class=\"result\"><output id=\"status\" role=\"status\" "
          "aria-live=\"polite\"></output> "
          "<button type=\"reset\">Show all</button></p>\n</form>\n"
          "<p class=\"no-script\">Without JavaScript all claims are shown; the browser's own search finds "

@@ -114,6 +114,8 @@ addEventListener("hashchange", () => {
 restore();
 apply();
 followLink();
+// On a narrow page the choices would stand before all claims.
+if (!matchMedia("(min-width: 64rem)").matches && chosen().size === 0) document.getElementById("choices").open = false;
 )js";
   return script;
 }

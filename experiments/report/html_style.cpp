@@ -56,6 +56,8 @@ button {
   border-radius: 6px; cursor: pointer;
 }
 .result { display: flex; flex-wrap: wrap; gap: 0.5rem 1rem; align-items: baseline; }
+summary { cursor: pointer; padding: 0.3rem 0; font-weight: 600; }
+summary:focus-visible { outline: 3px solid var(--link); outline-offset: 2px; border-radius: 3px; }
 .wide { overflow-x: auto; }
 table { border-collapse: collapse; }
 caption { text-align: left; color: var(--faint); padding: 0.3rem 0; }
@@ -95,7 +97,10 @@ footer { border-top: 1px solid var(--line); margin-top: 2rem; color: var(--faint
   .columns:has(.aside) { display: grid; grid-template-columns: 17rem minmax(0, 1fr); gap: 2rem; }
   .aside { position: sticky; top: 0; align-self: start; max-height: 100vh; overflow-y: auto; padding: 0.2rem 0.4rem 1rem 0.2rem; }
   #filters label { display: block; }
-  .illustrated { display: grid; grid-template-columns: minmax(0, 1fr) minmax(0, 30rem); gap: 0 1.2rem; }
+  .illustrated { display: grid; grid-template-columns: minmax(0, 1fr) minmax(0, 24rem); gap: 0 1.2rem; }
+}
+@media (min-width: 84rem) {
+  .illustrated { grid-template-columns: minmax(0, 1fr) minmax(0, 32rem); }
 }
 @media (max-width: 34rem) {
   dl > div, dl.words > div { grid-template-columns: minmax(0, 1fr); padding: 0.25rem 0; }

@@ -229,6 +229,16 @@ class ReportPage(browser.PageTest):
         self.keys("SPACE")
         self.expect(lambda c: c["verdict"] == "refuted")
 
+    def test_the_choices_give_way_on_a_narrow_page(self):
+        self.size(360, 800)
+        self.open()
+        self.assertFalse(self.box("verdict", "refuted").is_displayed())
+        self.find("#choices summary").click()
+        self.box("verdict", "refuted").click()
+        self.expect(lambda c: c["verdict"] == "refuted")
+        self.open(query="verdict=refuted")
+        self.assertTrue(self.box("verdict", "refuted").is_displayed())
+
     def test_contrast(self):
         for scheme in ("light", "dark"):
             self.scheme(scheme)

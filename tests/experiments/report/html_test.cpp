@@ -187,6 +187,17 @@ TEST(ReportPage, FiguresStandBesideTheFirstClaimThatTheyName) {
   EXPECT_TRUE(contains(page, "width=\"800\" height=\"500\""));
 }
 
+TEST(ReportPage, LinksToTheErrata) {
+  const Sample sample;
+  const std::string page = report_page(sample.source());
+  for (const char* id : {"a.refuted", "b.lost", "own.claim"}) {
+    EXPECT_TRUE(contains(page, "<a href=\"errata.html#" + std::string(id) + "\">")) << id;
+  }
+  for (const char* id : {"a.bound.c1", "a.exact.c1"}) {
+    EXPECT_FALSE(contains(page, "<a href=\"errata.html#" + std::string(id) + "\">")) << id;
+  }
+}
+
 TEST(ReportPage, MarksVerdictRigourAndSharpened) {
   const Sample sample;
   const std::string page = report_page(sample.source());
@@ -249,6 +260,7 @@ TEST(ErrataPage, OneNoteMakesOneEntry) {
   const std::string page = errata_page(sample.source());
   EXPECT_EQ(occurrences(page, "class=\"erratum\""), 3U);
   EXPECT_TRUE(contains(page, "reproduce a.bound.c1 a.refuted</code>"));
+  EXPECT_TRUE(contains(page, "<blockquote id=\"a.refuted\">"));
   EXPECT_TRUE(contains(page, "more&quot;</q>: the definition of <a href=\"index.html#a.bound.c1\">"));
 }
 
