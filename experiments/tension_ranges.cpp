@@ -156,7 +156,7 @@ void add_dual(Results& results) {
   results.claims.push_back(settle_statement(
       claim("smooth.dfh.c2.range"), c2.proved, interval.to_string() + " and " + single[0].to_string(),
       "The range 0 < w < 1/48 that Dyn, Floater & Hormann prove lies inside; up to 0.02146 their scheme is "
-      "C2, and no further."));
+      "C2, and no further (smooth.dfh.c2.upper)."));
   add_upper_end(results, "smooth.dfh.c2.upper", scheme, c2, order,
                 "A root of 327680w^4+25600w^3+352w^2+24w-1: there the product of both matrices gets the "
                 "eigenvalue 1.");
