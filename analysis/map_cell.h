@@ -39,6 +39,7 @@ class CellDecider {
   /// With the conditions of all words up to options.longest_word.
   CellDecider(const std::vector<Matrix<RationalFunction>>& family, std::size_t dimension,
               const CellOptions& options = {});
+  /// With these conditions.
   CellDecider(const std::vector<Matrix<RationalFunction>>& family, std::size_t dimension,
               const std::vector<ExpandingCondition>& conditions, const CellOptions& options);
 

@@ -35,12 +35,13 @@ namespace subdiv {
 /// schemes of any arity, the others for arity 2; for primal schemes in vertex, edge and popping, for
 /// stationary ones in popping and difference-norm.
 struct Objective {
+  /// One of the names above.
   enum class Kind { fit_bspline, vertex, edge, area, popping, difference_norm };
   Kind kind = Kind::vertex;  ///< which of them
   int degree = 0;            ///< fit-bspline
   int level = 0;             ///< fit-bspline without continuum, popping
   bool continuum = false;    ///< the limit function in place of a level
-  int continuity = -1;       // difference_norm
+  int continuity = -1;       ///< difference_norm
 };
 
 /// An option of an objective, for the list.
@@ -51,7 +52,7 @@ struct ObjectiveOption {
 
 /// An entry of the list of objectives.
 struct ObjectiveDescription {
-  std::string name;
+  std::string name;                      ///< as it is written
   std::string description;               ///< one line
   std::string norms;                     ///< which apply: "l1, l2, linf"
   std::vector<ObjectiveOption> options;  ///< those that it takes

@@ -69,6 +69,7 @@ class TaylorFunction {
  public:
   /// p/q in x_0 .. x_{variables-1}; enclosures are at the precision in bits.
   TaylorFunction(const Polynomial& numerator, const Polynomial& denominator, int variables, long precision);
+  /// Of its numerator and denominator.
   TaylorFunction(const RationalFunction& f, int variables, long precision)
       : TaylorFunction(f.numerator(), f.denominator(), variables, precision) {}
 

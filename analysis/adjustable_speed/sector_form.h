@@ -93,6 +93,7 @@ class FormNet {
       places_.push_back(std::move(own));
     }
   }
+  /// The vertex, and the places of the own sector.
   FormNet(SectorForm<R> vertex, std::vector<SectorForm<R>> places)
       : vertex_(std::move(vertex)), places_(std::move(places)) {}
 

@@ -19,7 +19,7 @@ class BallMatrix {
   BallMatrix() : BallMatrix(0, 0) {}
   /// A zero matrix.
   BallMatrix(long rows, long columns) { acb_mat_init(value_, rows, columns); }
-  explicit BallMatrix(const Matrix<Interval>& real);
+  explicit BallMatrix(const Matrix<Interval>& real);  ///< of intervals, real
   /// The exact values of finite doubles.
   explicit BallMatrix(const Eigen::MatrixXcd& values);
 

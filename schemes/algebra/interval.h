@@ -34,7 +34,7 @@ class Interval {
     arb_init(value_);
     arb_set_d(value_, x);
   }
-  explicit Interval(const Rational& q, long precision = default_precision);
+  explicit Interval(const Rational& q, long precision = default_precision);  ///< a ball around q
   /// The smallest ball at this precision that contains [lower, upper].
   static Interval hull(const Rational& lower, const Rational& upper, long precision = default_precision);
   static Interval hull(const Interval& a, const Interval& b);
