@@ -12,7 +12,6 @@ SUBDIVLAB_ASSET(subdivlab_explorer_core, "explorer_core.js");
 SUBDIVLAB_ASSET(subdivlab_explorer_script, "page.js");
 SUBDIVLAB_ASSET(subdivlab_explorer_style, "page.css");
 SUBDIVLAB_ASSET(subdivlab_explorer_content, "page.html");
-SUBDIVLAB_ASSET(subdivlab_explorer_controls, "controls.html");
 
 namespace subdiv::explorer {
 namespace {
@@ -28,9 +27,6 @@ std::string_view page_script() { return between(subdivlab_explorer_script, subdi
 std::string_view page_style() { return between(subdivlab_explorer_style, subdivlab_explorer_style_end); }
 std::string_view page_content() {
   return between(subdivlab_explorer_content, subdivlab_explorer_content_end);
-}
-std::string_view page_controls() {
-  return between(subdivlab_explorer_controls, subdivlab_explorer_controls_end);
 }
 
 }  // namespace subdiv::explorer

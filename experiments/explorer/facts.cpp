@@ -65,37 +65,62 @@ std::string interval_text(const std::string& name, const Rational& lower, const 
                         : lower.to_string() + " < " + name + " < " + upper.to_string();
 }
 
-void prove(Continuity& result, int order, const std::string& why, const std::string& claim) {
-  if (order <= result.proved) return;
-  result.proved = order;
-  result.reason = why;
-  if (!claim.empty()) result.claims.push_back(claim);
-}
+/// Facts gathered one after the other; those that are implied by stronger ones fall away.
+class Gathering {
+ public:
+  void prove(int order, const std::string& why, const std::string& claim) {
+    if (order > proved_.order) proved_ = {order, why, claim};
+  }
+  void refute(int order, const std::string& why, const std::string& claim) {
+    if (refuted_.order < 0 || order < refuted_.order) refuted_ = {order, why, claim};
+  }
+  [[nodiscard]] int proved() const { return proved_.order; }
 
-void refute(Continuity& result, int order, const std::string& claim) {
-  if (result.refuted >= 0 && order >= result.refuted) return;
-  result.refuted = order;
-  if (!claim.empty()) result.claims.push_back(claim);
+  [[nodiscard]] Continuity result() const {
+    Continuity result{proved_.order, refuted_.order, "", {}};
+    for (const Fact* fact : {&proved_, &refuted_}) {
+      const auto add = [](std::string& text, const std::string& more) {
+        if (!more.empty() && text.find(more) == std::string::npos) text += (text.empty() ? "" : "; ") + more;
+      };
+      add(result.reason, fact->why);
+      if (!fact->claim.empty() && (result.claims.empty() || result.claims[0] != fact->claim))
+        result.claims.push_back(fact->claim);
+    }
+    return result;
+  }
+
+ private:
+  struct Fact {
+    int order = -1;
+    std::string why;
+    std::string claim;
+  };
+  Fact proved_;
+  Fact refuted_;
+};
+
+std::string exactly(int order, const std::string& name, const Rational& lower, const Rational& upper) {
+  return "C" + std::to_string(order) + " exactly for " + interval_text(name, lower, upper);
 }
 
 Continuity on_diagonal(const Facts& facts, const Rational& s) {
-  Continuity result;
+  Gathering known;
+  int highest = -1;
   for (const Facts::Range& range : facts.ranges) {
+    highest = std::max(highest, range.order);
     const bool inside = range.lower == range.upper ? s == range.lower : range.lower < s && s < range.upper;
+    const std::string why = exactly(range.order, "s", range.lower, range.upper);
     if (inside) {
-      prove(
-          result, range.order,
-          "C" + std::to_string(range.order) + " exactly for " + interval_text("s", range.lower, range.upper),
-          range.claim);
+      known.prove(range.order, why, range.claim);
     } else {
-      refute(result, range.order, range.claim);
+      known.refute(range.order, why, range.claim);
     }
   }
-  int highest = -1;
-  for (const Facts::Range& range : facts.ranges) highest = std::max(highest, range.order);
-  // C4 at one point only, the quintic B-spline, whose exponent is 5 and which is no C5 curve.
-  if (highest >= 0 && result.proved == highest) refute(result, highest + 1, "");
-  return result;
+  // The last range is the quintic B-spline alone, a piecewise polynomial whose fifth derivative jumps.
+  constexpr int quintic = 4;
+  if (highest == quintic && known.proved() == quintic)
+    known.refute(quintic + 1, "a quintic B-spline curve", "");
+  return known.result();
 }
 
 bool on_line(const Facts& facts, const Rational& a, const Rational& b) {
@@ -103,47 +128,47 @@ bool on_line(const Facts& facts, const Rational& a, const Rational& b) {
 }
 
 Continuity elsewhere(const Facts& facts, const Rational& a, const Rational& b) {
-  Continuity result;
+  Gathering known;
   bool c2_on_a_line = false;
   for (const Facts::Line& line : facts.lines) {
     if (!line.contains(a, b)) continue;
+    const std::string why = "on this line " + exactly(line.order, "b", line.lower, line.upper);
     if (line.lower < b && b < line.upper) {
-      prove(result, line.order,
-            "on this line C" + std::to_string(line.order) + " exactly for " +
-                interval_text("b", line.lower, line.upper),
-            line.claim);
+      known.prove(line.order, why, line.claim);
       c2_on_a_line = c2_on_a_line || line.order == 2;
     } else {
-      refute(result, line.order, line.claim);
+      known.refute(line.order, why, line.claim);
     }
   }
+  const bool dependent = on_line(facts, a, b);  // limits may be smoother than the scheme
   for (const Facts::Cell& cell : facts.cells) {
     const bool inside = cell.a[0] <= a && a <= cell.a[1] && cell.b[0] <= b && b <= cell.b[1];
-    if (!inside) continue;
+    if (!inside || (!cell.smooth && dependent)) continue;
+    const std::string where = "C" + std::to_string(cell.order) +
+                              (cell.smooth ? " throughout " : " nowhere in ") +
+                              "a = " + cell.a[0].to_string() + " .. " + cell.a[1].to_string() +
+                              ", b = " + cell.b[0].to_string() + " .. " + cell.b[1].to_string();
     const std::string claim = "smooth.map.c" + std::to_string(cell.order) + (cell.smooth ? ".in" : ".out");
     if (cell.smooth) {
-      prove(result, cell.order,
-            "C" + std::to_string(cell.order) + " throughout " + interval_text("a", cell.a[0], cell.a[1]) +
-                ", " + interval_text("b", cell.b[0], cell.b[1]),
-            claim);
-    } else if (!on_line(facts, a,
-                        b)) {  // where shifts are independent, the limits are no smoother than the scheme
-      refute(result, cell.order, claim);
+      known.prove(cell.order, where, claim);
+    } else {
+      known.refute(cell.order, where, claim);
     }
   }
-  if (facts.c2_is_decided && !c2_on_a_line) refute(result, 2, "smooth.ab.c2");
-  return result;
+  const bool c2_is_known = facts.c2_is_decided && !c2_on_a_line;
+  if (c2_is_known) known.refute(2, "C2 for a = b and on a part of a = 2 only", "smooth.ab.c2");
+  return known.result();
 }
 
-/// From the norm of six steps of the second differences, or of the fourth ones on the diagonal: rho is at
-/// most its sixth root.
+/// Differences of divided differences grow at most like the sixth root of the norm of six steps (Warren &
+/// Weimer, p. 77): the exponent is at least 1 minus its logarithm.
 std::optional<Rational> lower_by_norms(const Mask<Rational>& mask) {
   constexpr int steps = 6;
   const auto symbol = difference_symbol(mask, 1);
   if (!symbol || symbol->is_zero()) return std::nullopt;
   const Rational norm = iterate_norms(*symbol, 2, steps).back();
   if (norm.sign() <= 0) return std::nullopt;
-  Rational bound = Rational(1) - log2_bracket(norm).upper / Rational(steps);
+  const Rational bound = Rational(1) - log2_bracket(norm).upper / Rational(steps);
   if (bound.sign() <= 0) return std::nullopt;
   return bound;
 }

@@ -580,7 +580,10 @@ const show = () => {
   $("retrofit").checked = state.retrofit && !state.open;
   $("retrofit").disabled = state.open;
   $("open").checked = state.open;
-  for (const name of Object.keys(state.show)) $("show-" + name).checked = state.show[name];
+  for (const name of Object.keys(state.show)) {
+    $("show-" + name).checked = state.show[name];
+    $(name + "-key").hidden = !state.show[name];
+  }
   const polygon = data.polygons.find(samePolygon);
   $("polygon").value = polygon ? polygon.name : "";
   $("command").textContent = commands(state);

@@ -179,7 +179,6 @@ std::string explorer_page(const ReportSource& source) {
       "href=\"index.html\">the "
       "claims</a> can be read without.</p></noscript>\n";
   page.name = "explorer.html";
-  page.aside = explorer::page_controls();
   page.content = explorer::page_content();
   page.style = explorer::page_style();
   page.policy =
