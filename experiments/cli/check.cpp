@@ -34,6 +34,10 @@ int check(const CheckOptions& options) {
   }
   auto differences =
       compare(against, committed, outcomes, [&](const std::string& id) { return means(options, id); });
+  const std::vector<ClaimRecord> computed = computed_claims(outcomes);
+  for (std::string& difference : certificate_differences(
+           against, committed, computed, chosen_certificates(options.claims, computed, options.jobs)))
+    differences.push_back(std::move(difference));
   if (selection.everything) {
     for (std::string& difference : page_differences(against, all, committed))
       differences.push_back(std::move(difference));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "experiments/data.h"
 #include "experiments/own_claims.h"
 #include "experiments/report/folder.h"
 #include "schemes/input_error.h"
@@ -41,6 +42,21 @@ void require_own_folder(const std::string& folder, const std::string& claims_fil
     throw InputError(folder + " holds the claims of the papers, " + in_quotes(claim.id) +
                      " among them; name another folder for those of " + claims_file);
   }
+}
+
+std::vector<ClaimRecord> computed_claims(std::span<const Outcome> outcomes) {
+  std::vector<ClaimRecord> result;
+  for (const Outcome& outcome : outcomes) {
+    if (outcome.broke()) continue;
+    for (const Claim& claim : outcome.results.claims) result.push_back(to_record(claim));
+  }
+  return result;
+}
+
+std::vector<ClaimCertificate> chosen_certificates(const std::string& claims_file,
+                                                  std::span<const ClaimRecord> claims, int jobs) {
+  if (!claims_file.empty()) return {};
+  return claim_certificates(claims, data_folder(), jobs);
 }
 
 }  // namespace subdiv::cli

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
+#include "experiments/certificates/claim_certificates.h"
 #include "experiments/experiment.h"
+#include "experiments/run.h"
 
 namespace subdiv::cli {
 
@@ -16,5 +19,12 @@ namespace subdiv::cli {
                                         const std::string& option);
 void require_own_folder(const std::string& folder, const std::string& claims_file,
                         const std::vector<Experiment>& own);
+
+/// The claims that a run has settled.
+[[nodiscard]] std::vector<ClaimRecord> computed_claims(std::span<const Outcome> outcomes);
+/// The certificates of built-in claims; none for a file of one's own claims.
+[[nodiscard]] std::vector<ClaimCertificate> chosen_certificates(const std::string& claims_file,
+                                                                std::span<const ClaimRecord> claims,
+                                                                int jobs);
 
 }  // namespace subdiv::cli

@@ -57,8 +57,12 @@ int reproduce(const ReproduceOptions& options) {
   Progress progress(selection.experiments.size());
   const auto outcomes = run(selection.experiments, options.jobs,
                             [&](const Experiment& experiment) { progress.finished(experiment.name); });
-  const ResultsFolder merged = merge(all, outcomes, old, selection.everything);
-  write_results(folder, all, outcomes, old, merged);
+  ResultsFolder merged = merge(all, outcomes, old, selection.everything);
+  const std::vector<ClaimRecord> computed = computed_claims(outcomes);
+  const std::vector<ClaimCertificate> certificates =
+      chosen_certificates(options.claims, computed, options.jobs);
+  list_certificates(merged, old, computed, certificates);
+  write_results(folder, all, outcomes, old, merged, certificates);
 
   std::vector<ClaimRecord> chosen;
   std::copy_if(merged.claims.begin(), merged.claims.end(), std::back_inserter(chosen),
@@ -71,8 +75,15 @@ int reproduce(const ReproduceOptions& options) {
     std::cerr << "subdivlab: experiment '" << outcome.experiment->name
               << "' broke, its claims stay as they were: " << outcome.error << "\n";
   }
+  const auto unproved =
+      std::ranges::count_if(certificates, [](const ClaimCertificate& c) { return c.text.empty(); });
+  for (const ClaimCertificate& certificate : certificates) {
+    if (certificate.text.empty())
+      std::cerr << "subdivlab: " << certificate.claim << ": no certificate was found: " << certificate.failure
+                << "\n";
+  }
   const int changed = count_changed_verdicts(old, chosen);
-  if (broken > 0 || changed > 0) return ExitCode::differs;
+  if (broken > 0 || changed > 0 || unproved > 0) return ExitCode::differs;
   const bool open = std::any_of(chosen.begin(), chosen.end(), [](const ClaimRecord& c) {
     return c.verdict == to_string(Verdict::undecided);
   });

@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 
+#include "experiments/certificates/claim_certificates.h"
 #include "experiments/cli/verbs.h"
 #include "experiments/data.h"
 #include "experiments/report/files.h"
@@ -34,12 +35,6 @@ std::optional<std::map<std::string, ClaimRecord>> claims_beside(const fs::path& 
   std::map<std::string, ClaimRecord> claims;
   for (const ClaimRecord& record : results->claims) claims[record.id] = record;
   return claims;
-}
-
-bool wants_certificate(const ClaimRecord& record) {
-  return record.rigour != to_string(Rigour::approximate) &&
-         record.verdict != to_string(Verdict::not_reproducible) &&
-         record.verdict != to_string(Verdict::undecided);
 }
 
 }  // namespace

@@ -134,6 +134,10 @@ fs::path figure_path(const fs::path& folder, const std::string& name) {
   return folder / "figures" / (name + ".svg");
 }
 
+fs::path certificate_path(const fs::path& folder, const std::string& claim) {
+  return folder / "certificates" / (claim + ".txt");
+}
+
 std::optional<ResultsFolder> load_results_if_any(const fs::path& folder) {
   std::error_code ignored;
   const fs::path claims = folder / "claims.json";
@@ -160,12 +164,55 @@ ResultsFolder merge(std::span<const Experiment> all, std::span<const Outcome> ou
                     const ResultsFolder& old, bool ran_everything) {
   return {merge_claims(all, outcomes, old.claims, ran_everything),
           {merge_entries(all, outcomes, old.manifest.series, ran_everything, series_of),
-           merge_entries(all, outcomes, old.manifest.figures, ran_everything, figures_of), page_names()}};
+           merge_entries(all, outcomes, old.manifest.figures, ran_everything, figures_of),
+           {},
+           page_names()}};
+}
+
+void list_certificates(ResultsFolder& merged, const ResultsFolder& old,
+                       std::span<const ClaimRecord> looked_at,
+                       std::span<const ClaimCertificate> certificates) {
+  std::set<std::string> ids(old.manifest.certificates.begin(), old.manifest.certificates.end());
+  for (const ClaimRecord& claim : looked_at) ids.erase(claim.id);
+  for (const ClaimCertificate& certificate : certificates) {
+    if (!certificate.text.empty()) ids.insert(certificate.claim);
+  }
+  for (const ClaimRecord& claim : merged.claims) {
+    if (ids.contains(claim.id)) merged.manifest.certificates.push_back(claim.id);
+  }
+}
+
+std::vector<std::string> certificate_differences(const fs::path& folder, const ResultsFolder& committed,
+                                                 std::span<const ClaimRecord> looked_at,
+                                                 std::span<const ClaimCertificate> certificates) {
+  std::vector<std::string> result;
+  const auto& listed = committed.manifest.certificates;
+  std::set<std::string> left;
+  for (const ClaimRecord& claim : looked_at) {
+    if (std::ranges::find(listed, claim.id) != listed.end()) left.insert(claim.id);
+  }
+  for (const ClaimCertificate& certificate : certificates) {
+    if (!certificate.failure.empty()) {
+      result.push_back(certificate.claim + ": no certificate was found: " + certificate.failure);
+    } else if (left.erase(certificate.claim) == 0) {
+      result.push_back(certificate.claim + ": the folder lists no certificate, the run found one");
+    } else if (written_before(certificate_path(folder, certificate.claim)) != certificate.text) {
+      result.push_back(certificate.claim + ": the certificate is another one");
+    }
+  }
+  for (const std::string& claim : left)
+    result.push_back(claim + ": the folder has a certificate, the run found none");
+  return result;
 }
 
 void write_results(const fs::path& folder, std::span<const Experiment> all, std::span<const Outcome> outcomes,
-                   const ResultsFolder& old, const ResultsFolder& merged) {
+                   const ResultsFolder& old, const ResultsFolder& merged,
+                   std::span<const ClaimCertificate> certificates) {
   std::vector<NewFile> files;
+  for (const ClaimCertificate& certificate : certificates) {
+    if (!certificate.text.empty())
+      files.push_back({certificate_path(folder, certificate.claim), certificate.text});
+  }
   std::map<std::string, std::string> drawn;
   std::map<std::string, std::string> tables;
   for (const Outcome& outcome : outcomes) {
@@ -198,11 +245,15 @@ void write_results(const fs::path& folder, std::span<const Experiment> all, std:
                [&](const std::string& name) { return series_path(folder, name); });
   add_obsolete(obsolete, old.manifest.figures, merged.manifest.figures,
                [&](const std::string& name) { return figure_path(folder, name); });
+  for (const std::string& claim : old.manifest.certificates) {
+    const auto& kept = merged.manifest.certificates;
+    if (std::ranges::find(kept, claim) == kept.end()) obsolete.push_back(certificate_path(folder, claim));
+  }
   for (const std::string& page : old.manifest.pages) {
     if (std::ranges::find(merged.manifest.pages, page) == merged.manifest.pages.end())
       obsolete.push_back(folder / page);
   }
-  for (const char* part : {"series", "figures", "report"}) prepare_folder(folder / part);
+  for (const char* part : {"certificates", "series", "figures", "report"}) prepare_folder(folder / part);
   write_files(files, obsolete);
 }
 

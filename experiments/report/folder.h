@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "experiments/certificates/claim_certificates.h"
 #include "experiments/report/json.h"
 #include "experiments/run.h"
 
@@ -31,11 +32,23 @@ struct ResultsFolder {
 [[nodiscard]] ResultsFolder merge(std::span<const Experiment> all, std::span<const Outcome> outcomes,
                                   const ResultsFolder& old, bool ran_everything);
 
+/// Lists the certificates in the manifest: those of the claims that were looked at are new, those of other
+/// claims stay.
+void list_certificates(ResultsFolder& merged, const ResultsFolder& old,
+                       std::span<const ClaimRecord> looked_at,
+                       std::span<const ClaimCertificate> certificates);
+
 /// Draws the figures of the outcomes and writes the folder: series, figures, the derived pages (README.md,
 /// report/), claims.csv, manifest.json and last claims.json, each whole; files that `old` lists and `merged`
 /// does not are removed. Nothing changes when drawing or writing fails (InputError, std::runtime_error).
 void write_results(const std::filesystem::path& folder, std::span<const Experiment> all,
-                   std::span<const Outcome> outcomes, const ResultsFolder& old, const ResultsFolder& merged);
+                   std::span<const Outcome> outcomes, const ResultsFolder& old, const ResultsFolder& merged,
+                   std::span<const ClaimCertificate> certificates = {});
+
+/// How the certificates of claims differ from those that a folder holds.
+[[nodiscard]] std::vector<std::string> certificate_differences(
+    const std::filesystem::path& folder, const ResultsFolder& committed,
+    std::span<const ClaimRecord> looked_at, std::span<const ClaimCertificate> certificates);
 
 /// What is wrong with the derived pages of a folder: those that are missing or are not what its claims,
 /// manifest and figures give.
@@ -45,5 +58,7 @@ void write_results(const std::filesystem::path& folder, std::span<const Experime
 
 [[nodiscard]] std::filesystem::path series_path(const std::filesystem::path& folder, const std::string& name);
 [[nodiscard]] std::filesystem::path figure_path(const std::filesystem::path& folder, const std::string& name);
+[[nodiscard]] std::filesystem::path certificate_path(const std::filesystem::path& folder,
+                                                     const std::string& claim);
 
 }  // namespace subdiv

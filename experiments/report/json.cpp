@@ -221,6 +221,7 @@ std::string manifest_to_json(const Manifest& manifest) {
   Json root = Json::object();
   root["series"] = entries_to_json(manifest.series);
   root["figures"] = entries_to_json(manifest.figures);
+  if (!manifest.certificates.empty()) root["certificates"] = manifest.certificates;
   if (!manifest.pages.empty()) root["pages"] = manifest.pages;
   return root.dump(2) + "\n";
 }
@@ -229,7 +230,8 @@ Manifest manifest_from_json(const std::string& text, const std::string& file) {
   const Json json = parse(text, file);
   const Object root(json, file);
   return {entries_from_json(root.array("series"), file + ": series"),
-          entries_from_json(root.array("figures"), file + ": figures"), root.optional_texts("pages")};
+          entries_from_json(root.array("figures"), file + ": figures"), root.optional_texts("certificates"),
+          root.optional_texts("pages")};
 }
 
 }  // namespace subdiv

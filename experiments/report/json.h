@@ -22,6 +22,7 @@ struct FileEntry {
 struct Manifest {
   std::vector<FileEntry> series;
   std::vector<FileEntry> figures;
+  std::vector<std::string> certificates = {};  // the claims that have one
   std::vector<std::string> pages = {};  // what is derived from the rest: "README.md", "report/index.html"
 };
 

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Second checker of certificates: check.py FILE..., exact fractions of the standard library and nothing else.
+"""Second checker of certificates: check.py FILE..., in exact fractions, with the standard library alone.
 
-It reads the format of experiments/verifier/README.md on its own: no line is shared with `subdivlab verify`.
-Prints one line a file, "ID: proved" or "ID: rejected: why"; exit code 1 when one is rejected."""
+It reads experiments/certificates/README.md's format on its own: no line is shared with `subdivlab verify`. Prints
+"ID: proved" or "FILE: rejected: why" for each file; exit code 1 when one is rejected."""
 import ast, csv, hashlib, itertools, math, os, re, sys
 from fractions import Fraction as Q
 
@@ -12,7 +12,7 @@ class Rejected(Exception): pass
 def need(condition, why):
     if not condition: raise Rejected(why)
 
-# ---- Rational functions: Laurent polynomials {((name, power), ..): coefficient} over Laurent polynomials --------------
+# ---- Rational functions: Laurent polynomials {((name, power), ..): coefficient} over Laurent polynomials -------------
 ONE = {(): Q(1)}
 def p_mul(a, b):
     if len(a) > len(b): a, b = b, a
@@ -30,11 +30,10 @@ def p_add(a, b):
     r = dict(a)
     for k, c in b.items(): r[k] = r.get(k, 0) + c
     return {k: c for k, c in r.items() if c}
-
 class F:
-    """num / den; den is ONE unless division by more than a monomial was asked for."""
+    """num / den; a denominator of one term is moved into num, and den is ONE then."""
     def __init__(self, num, den=ONE):
-        if len(den) == 1 and den is not ONE:  # a monomial goes up
+        if len(den) == 1 and den is not ONE:
             (k, c), = den.items()
             num, den = p_mul(num, {tuple((v, -e) for v, e in k): 1 / c}), ONE
         self.num, self.den = num, den
@@ -47,61 +46,55 @@ class F:
     def __truediv__(self, o):
         need(o.num, 'division by zero')
         return F(p_mul(self.num, o.den), p_mul(self.den, o.num))
+    def is_number(self): return self.den == ONE and set(self.num) <= {()}
 def const(q): return F({(): Q(q)} if q else {})
 def var(name): return F({((name, 1),): Q(1)})
 def number(f):
-    need(isinstance(f, F) and f.den == ONE and set(f.num) <= {()}, 'a number is needed here')
+    need(isinstance(f, F) and f.is_number(), 'a number is needed here')
     return f.num.get((), Q(0))
 def whole(f):
-    q = number(f)
-    need(q.denominator == 1, 'a whole number is needed here')
-    return q.numerator
+    need(number(f).denominator == 1, 'a whole number is needed here')
+    return number(f).numerator
 def power(f, n):
     r, f = const(1), f if n >= 0 else const(1) / f
     for _ in range(abs(n)): r = r * f
     return r
-def by_power(poly, x):  # {exponent of x: polynomial in the others}
+def by_power(poly, x):  # {power of x: polynomial in the others}
     r = {}
-    for k, c in poly.items():
-        e = dict(k).get(x, 0)
-        r.setdefault(e, {})[tuple(t for t in k if t[0] != x)] = c
+    for k, c in poly.items(): r.setdefault(dict(k).get(x, 0), {})[tuple(t for t in k if t[0] != x)] = c
     return r
 def substitute(f, x, by):
-    def in_poly(poly):
-        return sum((F(rest) * power(by, e) for e, rest in by_power(poly, x).items()), const(0))
-    return in_poly(f.num) / in_poly(f.den)
+    inside = lambda poly: sum((F(rest) * power(by, e) for e, rest in by_power(poly, x).items()), const(0))
+    return inside(f.num) / inside(f.den)
 def derivative(f, x):
-    d = lambda p: F({k: c for e, rest in by_power(p, x).items() if e
-                     for k, c in p_mul(rest, {((x, e - 1),) if e != 1 else (): Q(e)}).items()})
+    d = lambda p: sum((const(e) * F(rest) * power(var(x), e - 1) for e, rest in by_power(p, x).items() if e), const(0))
     return d(f.num) if f.den == ONE else (d(f.num) * F(f.den) - F(f.num) * d(f.den)) / (F(f.den) * F(f.den))
 
-# ---- Values: F or lists --------------------------------------------------------------------------------------------
+# ---- Values: F or lists ----------------------------------------------------------------------------------------------
 def each(f, a, b):
-    if isinstance(a, list) and isinstance(b, list):
-        need(len(a) == len(b), 'lists of different lengths')
-        return [each(f, x, y) for x, y in zip(a, b)]
-    need(not isinstance(a, list) and not isinstance(b, list), 'a list and a number')
-    return f(a, b)
+    need(isinstance(a, list) == isinstance(b, list), 'a list and a number')
+    if not isinstance(a, list): return f(a, b)
+    need(len(a) == len(b), 'lists of different lengths')
+    return [each(f, x, y) for x, y in zip(a, b)]
+def plus(a, b): return each(lambda x, y: x + y, a, b)
 def times(a, b):
     if isinstance(a, F): return [times(a, x) for x in b] if isinstance(b, list) else a * b
     if isinstance(b, F): return [times(x, b) for x in a]
-    if isinstance(a[0], list): return [times(row, b) for row in a]  # matrix times vector or matrix
+    if isinstance(a[0], list): return [times(row, b) for row in a]
     if isinstance(b[0], list): return [times(a, list(column)) for column in zip(*b)]
     need(len(a) == len(b), 'lists of different lengths')
     return sum((x * y for x, y in zip(a, b)), const(0))
-def determinant(m):  # Laplace along the first row, by subsets of columns
-    n = len(m); need(all(len(r) == n for r in m), 'a square matrix is needed')
-    best = {0: const(1)}
+def determinant(m):  # Laplace's expansion row by row, the sum kept by the set of columns used
+    minors = {0: const(1)}
     for row in m:
+        need(len(row) == len(m), 'a square matrix is needed')
         new = {}
-        for used, d in best.items():
-            for j in range(n):
-                if not used >> j & 1 and row[j].num:
-                    term = d * row[j] if bin(used >> j).count('1') % 2 == 0 else -(d * row[j])
-                    new[used | 1 << j] = new.get(used | 1 << j, const(0)) + term
-        best = new
-    return best.get((1 << n) - 1, const(0))
-
+        for (used, d), (j, x) in itertools.product(minors.items(), enumerate(row)):
+            if used >> j & 1 or not x.num: continue
+            term = d * x if bin(used >> j).count('1') % 2 == 0 else -(d * x)
+            new[used | 1 << j] = new.get(used | 1 << j, const(0)) + term
+        minors = new
+    return minors.get((1 << len(m)) - 1, const(0))
 def read_data(name):
     need(re.fullmatch(r'[\w-]+\.csv', name), 'a data file is NAME.csv')
     with open(os.path.join(DATA, name)) as file: rows = [r for r in csv.reader(file) if r and not r[0].startswith('#')]
@@ -109,50 +102,48 @@ def read_data(name):
     value = lambda row: [const(Q(x.strip())) for x in row]
     if head[:1] != ['polygon']: return [value(r) for r in rows]
     return [[value(r[1:]) for r in group] for _, group in itertools.groupby(rows, lambda r: r[0])]
+def parse(text):
+    text = re.sub(r'(\d+)\.(\d+)', lambda m: f'({int(m[1] + m[2])}/{10 ** len(m[2])})', text).replace('^', '**')
+    try: return ast.parse(re.sub(r'\bif\(', 'if_(', text).strip(), mode='eval').body
+    except SyntaxError: raise Rejected('no expression: ' + text)
 
-class Certificate:
-    def __init__(self, lines):
-        self.names, self.functions, self.boxes, self.roots, self.proof = {}, {}, {}, {}, []
-        self.lines, self.values = lines, []
-
-    def parse(self, text):
-        text = re.sub(r'(\d+)\.(\d+)', lambda m: f'({int(m[1] + m[2])}/{10 ** len(m[2])})', text).replace('^', '**')
-        text = re.sub(r'\bif\(', 'if_(', text)
-        try: return ast.parse(text.strip(), mode='eval').body
-        except SyntaxError: raise Rejected('no expression: ' + text)
-    def value(self, text): return self.evaluate(self.parse(text), {})
+class Checker:
+    def __init__(self): self.names, self.functions, self.boxes, self.roots, self.proof, self.values = {}, {}, {}, {}, [], []
+    def value(self, text): return self.evaluate(parse(text), {})
     def evaluate(self, t, local):
         go = lambda x: self.evaluate(x, local)
         if isinstance(t, ast.Constant) and type(t.value) is int: return const(t.value)
         if isinstance(t, ast.Name):
-            return local[t.id] if t.id in local else self.names[t.id] if t.id in self.names else var(t.id)
+            scope = local if t.id in local else self.names
+            return scope[t.id] if t.id in scope else var(t.id)
         if isinstance(t, ast.List): return [go(x) for x in t.elts]
-        if isinstance(t, ast.Subscript): 
+        if isinstance(t, ast.Subscript):
             a, i = go(t.value), whole(go(t.slice))
-            need(isinstance(a, list) and 0 <= i < len(a), 'index outside the list')
+            need(isinstance(a, list) and 0 <= i < len(a), 'an index is outside its list')
             return a[i]
         if isinstance(t, ast.UnaryOp) and isinstance(t.op, ast.USub): return times(const(-1), go(t.operand))
         if isinstance(t, ast.BinOp):
             a, b, op = go(t.left), go(t.right), type(t.op)
-            if op is ast.Add: return each(lambda x, y: x + y, a, b)
-            if op is ast.Sub: return each(lambda x, y: x - y, a, b)
+            if op is ast.Add: return plus(a, b)
+            if op is ast.Sub: return plus(a, times(const(-1), b))
             if op is ast.Mult: return times(a, b)
             if op is ast.Div: return times(const(1) / b, a)
             if op is ast.Pow: return power(a, whole(b))
-        if isinstance(t, ast.Call) and isinstance(t.func, ast.Name) and not t.keywords: return self.call(t.func.id, t.args, local)
-        raise Rejected('not in the language: ' + ast.dump(t)[:60])
+        need(isinstance(t, ast.Call) and isinstance(t.func, ast.Name) and not t.keywords, 'not in the language')
+        return self.call(t.func.id, t.args, local)
     def call(self, name, args, local):
         go = lambda x: self.evaluate(x, local)
         if name in self.functions:
             parameters, body = self.functions[name]
-            need(len(parameters) == len(args), 'number of arguments of ' + name)
+            need(len(parameters) == len(args), 'the number of arguments of ' + name)
             return self.evaluate(body, dict(zip(parameters, map(go, args))))
         if name == 'if_': return go(args[1] if number(go(args[0])) else args[2])
         if name in ('seq', 'sum'):
-            items = [self.evaluate(args[3], {**local, args[0].id: const(i)}) for i in range(whole(go(args[1])), whole(go(args[2])) + 1)]
+            numbers = range(whole(go(args[1])), whole(go(args[2])) + 1)
+            items = [self.evaluate(args[3], {**local, args[0].id: const(i)}) for i in numbers]
             if name == 'seq': return items
             total = items[0] if items else const(0)
-            for x in items[1:]: total = each(lambda a, b: a + b, total, x)
+            for x in items[1:]: total = plus(total, x)
             return total
         if name in ('coef', 'subst', 'diff', 'low', 'high'):
             f, x = go(args[0]), args[1].id
@@ -166,147 +157,117 @@ class Certificate:
         if name == 'det': return determinant(v[0])
         if name == 'len': return const(len(v[0]))
         if name == 'join': return v[0] + v[1]
-        if name == 'abs': return const(abs(number(v[0])))
-        if name == 'less': return const(number(v[0]) < number(v[1]))
-        if name == 'mod': return const(number(v[0]) % number(v[1]))
-        if name == 'floor': return const(math.floor(number(v[0])))
         if name in ('max', 'min'): return const({'max': max, 'min': min}[name](map(number, v[0])))
-        raise Rejected('unknown function ' + name)
+        known = {'abs': abs, 'floor': math.floor, 'less': lambda a, b: a < b, 'mod': lambda a, b: a % b}
+        need(name in known, 'unknown function ' + name)
+        return const(known[name](*map(number, v)))
 
-    # ---- Identities and signs over the boxes of the variables; roots obey their equations ---------------------------
+    # ---- Identities and signs over the boxes of the variables; roots obey their equations ----------------------------
     def reduced(self, poly):
         for x, equation in self.roots.items():
-            degree = max(equation)
             while True:
-                parts = by_power(poly, x)
+                parts, degree = by_power(poly, x), max(equation)
                 top = max(parts, default=0)
-                need(min(parts, default=0) >= 0, 'negative power of a root')
+                need(min(parts, default=0) >= 0, 'a negative power of a root')
                 if top < degree: break
                 for e, c in equation.items():
-                    shift = {((x, e + top - degree),) if e + top > degree else (): -c / equation[degree]}
-                    poly = p_add(poly, p_mul(parts[top], shift))
+                    poly = p_add(poly, (F(parts[top]) * power(var(x), e + top - degree) * const(-c / equation[degree])).num)
         return poly
     def equal(self, a, b):
         if isinstance(a, list) or isinstance(b, list):
             return isinstance(a, list) and isinstance(b, list) and len(a) == len(b) and all(map(self.equal, a, b))
         for f in (a, b):
-            if any(v in self.roots for k in f.den for v, _ in k): self.cover('definite', [F(self.reduced(f.den))], const(0), '.')
+            if any(v in self.roots for k in f.den for v, _ in k): self.cover('nonzero', [F(self.reduced(f.den))], const(0), '.')
         d = a - b
-        low = min((e for k in d.num for _, e in k), default=0)  # roots are not zero where they are divided by
-        if low < 0 and self.roots:
-            for x in self.roots: d = d * power(var(x), -low)
+        for x in self.roots:
+            low = min(by_power(d.num, x), default=0)
+            if low < 0: need(self.boxes[x][0] > 0 or self.boxes[x][1] < 0, f'{x} may be 0 in a denominator')
+            d = d * power(var(x), max(-low, 0))
         return not self.reduced(d.num)
     def bernstein(self, poly, xs, degrees):
-        """Coefficients by index over the box, of the degrees; intervals to infinity become u / (1 - u)."""
-        table = {}
-        for k, c in poly.items(): table[tuple(dict(k).get(x, 0) for x in xs)] = c
+        """Bernstein coefficients over the box by index; over [lo, inf) of (1-u)^n p(lo + u/(1-u))."""
+        table = {tuple(dict(k).get(x, 0) for x in xs): c for k, c in poly.items()}
         for axis, (x, n) in enumerate(zip(xs, degrees)):
             lo, hi = self.boxes[x][:2]
-            new = {}
-            for index, c in table.items():
-                i = index[axis]
-                for j in range(i + 1):  # (lo + w u)^i
-                    w = 1 if hi is None else hi - lo
-                    key = index[:axis] + (j,) + index[axis + 1:]
-                    new[key] = new.get(key, 0) + c * math.comb(i, j) * Q(lo) ** (i - j) * Q(w) ** j
-            table = {}
-            for index, c in new.items():
-                j = index[axis]
-                if hi is None: targets = [(j, Q(1, math.comb(n, j)))]
-                else: targets = [(k, Q(math.comb(k, j), math.comb(n, j))) for k in range(j, n + 1)]
-                for k, f in targets:
-                    key = index[:axis] + (k,) + index[axis + 1:]
-                    table[key] = table.get(key, 0) + c * f
+            for step in range(2):  # the powers of u, then its Bernstein polynomials
+                new = {}
+                for index, c in table.items():
+                    i = index[axis]
+                    if step == 0: to = [(j, math.comb(i, j) * lo ** (i - j) * (1 if hi is None else hi - lo) ** j) for j in range(i + 1)]
+                    elif hi is None: to = [(i, Q(1, math.comb(n, i)))]
+                    else: to = [(k, Q(math.comb(k, i), math.comb(n, i))) for k in range(i, n + 1)]
+                    for j, f in to: new[index[:axis] + (j,) + index[axis + 1:]] = new.get(index[:axis] + (j,) + index[axis + 1:], 0) + c * f
+                table = new
         return {i: table.get(i, Q(0)) for i in itertools.product(*(range(n + 1) for n in degrees))}
     def cover(self, kind, items, bound, tokens, strict=True):
-        """kind sign: items[0] > bound; rows: sum |items| < bound; peak: some |item| > bound; definite: never 0."""
-        polys = [F(self.reduced(f.num), self.reduced(f.den)) for f in items + [bound]]
-        dens = []
+        """sign: items[0] > bound; rows: sum |items| < bound; peak: some |item| > bound; nonzero: items[0] is never 0."""
+        polys, dens = [F(self.reduced(f.num), self.reduced(f.den)) for f in items + [bound]], []
         for f in polys:
             if f.den != ONE and f.den not in dens: dens.append(f.den)
-        for i, f in enumerate(polys):  # times the square of the common denominator D: an exact product for each
+        for i, f in enumerate(polys):  # times the square of the product of all denominators
             for d in dens: f = F(p_mul(f.num, d if d == f.den else p_mul(d, d)), f.den)
             polys[i] = F(self.reduced(f.num))
-        if dens and not strict:
-            for d in dens: self.cover('definite', [F(d)], const(0), '.')
+        for d in () if strict else dens: self.cover('nonzero', [F(d)], const(0), '.')
         xs = sorted({v for f in polys for k in f.num for v, _ in k})
-        for x in xs: need(x in self.boxes, f'no range for {x}')
         for x in xs:  # even powers of a variable that is not 0 change no sign
-            low = min((dict(k).get(x, 0) for f in polys for k in f.num), default=0)
+            need(x in self.boxes, f'no range for {x}')
+            low = min(dict(k).get(x, 0) for f in polys for k in f.num)
             if low < 0:
-                lo, hi = self.boxes[x][:2]
-                need(lo > 0 or (hi is not None and hi < 0), f'{x} may be 0 in a denominator')
+                need(self.boxes[x][0] > 0 or (self.boxes[x][1] is not None and self.boxes[x][1] < 0), f'{x} may be 0 in a denominator')
                 polys = [f * power(var(x), -low + (-low) % 2) for f in polys]
         degrees = [max(dict(k).get(x, 0) for f in polys for k in f.num) for x in xs]
         degrees = [max(n, 2) if self.boxes[x][2] and self.boxes[x][3] else n for n, x in zip(degrees, xs)]
-        arrays = [self.bernstein(f.num, xs, degrees) for f in polys]
         tokens = tokens.split()
-        def excluded(index, ends):
-            return any(n and ((e[0] and i == 0) or (e[1] and i == n)) for i, n, e in zip(index, degrees, ends))
-        def walk(arrays, ends):
-            need(tokens, 'the cover is cut off')
-            token = tokens.pop(0)
-            if token in xs:
-                axis = xs.index(token)
-                halves = [self.split(a, axis, degrees) for a in arrays]
-                walk([h[0] for h in halves], [(e[0], False) if i == axis else e for i, e in enumerate(ends)])
-                walk([h[1] for h in halves], [(False, e[1]) if i == axis else e for i, e in enumerate(ends)])
-                return
-            *values, top = arrays
-            if kind == 'rows': margin = {i: top[i] - sum(abs(v[i]) for v in values) for i in top}
-            elif kind == 'peak':
-                need(re.fullmatch(r'[+-]\d+', token) and int(token[1:]) < len(values), 'a cell of the cover names no component')
-                margin = {i: int(token[0] + '1') * values[int(token[1:])][i] - top[i] for i in top}
-            else:
-                margin = {i: values[0][i] - top[i] for i in top}
-                if kind == 'definite' and margin[next(iter(margin))] < 0: margin = {i: -m for i, m in margin.items()}
-            need(kind == 'peak' or token == '.', 'unknown cell ' + token)
-            for i, m in margin.items():
-                need(m > 0 or (m == 0 and (not strict or (kind != 'definite' and excluded(i, ends)))), f'the sign is not proved on a cell')
-        walk(arrays, [self.boxes[x][2:] for x in xs])
+        self.walk(kind, strict, xs, degrees, [self.bernstein(f.num, xs, degrees) for f in polys], [self.boxes[x][2:] for x in xs], tokens)
         need(not tokens, 'the cover has too many cells')
-    def split(self, a, axis, degrees):
-        left, right = {}, {}
-        for index in a:
-            if index[axis]: continue
-            line = [a[index[:axis] + (i,) + index[axis + 1:]] for i in range(degrees[axis] + 1)]
-            for i in range(degrees[axis] + 1):
-                left[index[:axis] + (i,) + index[axis + 1:]] = line[0]
-                right[index[:axis] + (degrees[axis] - i,) + index[axis + 1:]] = line[-1]
-                line = [(x + y) / 2 for x, y in zip(line, line[1:])]
-        return left, right
+    def walk(self, kind, strict, xs, degrees, arrays, ends, tokens):
+        need(tokens, 'the cover is cut off')
+        token = tokens.pop(0)
+        if token in xs:
+            axis = xs.index(token)
+            pairs = [split(a, axis, degrees) for a in arrays]
+            for side in (0, 1):
+                inner = [(e[0] and not side, e[1] and bool(side)) if i == axis else e for i, e in enumerate(ends)]
+                self.walk(kind, strict, xs, degrees, [p[side] for p in pairs], inner, tokens)
+            return
+        need(token == '.' if kind != 'peak' else re.fullmatch(r'[+-]\d{1,6}', token) and int(token[1:]) < len(arrays) - 1, 'unknown cell ' + token)
+        *values, top = arrays
+        sign = -1 if token[0] == '-' or (kind == 'nonzero' and values[0][(0,) * len(xs)] < 0) else 1
+        entry = values[int(token[1:]) if kind == 'peak' else 0]
+        for i in top:
+            m = top[i] - sum(abs(v[i]) for v in values) if kind == 'rows' else sign * entry[i] - top[i]
+            left_out = any(n and ((e[0] and k == 0) or (e[1] and k == n)) for k, n, e in zip(i, degrees, ends))
+            need(m > 0 or (m == 0 and (not strict or (kind != 'nonzero' and left_out))), 'the sign is not proved on a cell')
 
-    # ---- Statements -------------------------------------------------------------------------------------------------
+    # ---- Statements --------------------------------------------------------------------------------------------------
     def next(self, word):
         need(self.proof and self.proof[0].split(' ', 1)[0] == word, f"the proof lacks '{word}'")
-        return self.proof.pop(0)[len(word):]
-    def compare(self, a, b, strict):  # a > b or a >= b
+        return self.proof.pop(0)[len(word) + 1:]
+    def greater(self, a, b, strict):
         if not strict and self.equal(a, b): return
-        d = a - b
-        constant = d.den == ONE and set(d.num) <= {()}
-        need(not constant or number(d) > 0 or (number(d) == 0 and not strict), 'the inequality is false')
-        if not constant: self.cover('sign', [d], const(0), self.next('cover'), strict)
+        if not (a - b).is_number(): return self.cover('sign', [a - b], const(0), self.next('cover'), strict)
+        need(number(a - b) > 0 or (number(a - b) == 0 and not strict), 'the inequality is false')
     def rows(self, items, bound, strict):
         for row in items if isinstance(items[0], list) else [items]:
-            if all(f.den == ONE and set(f.num) <= {()} for f in row + [bound]):
-                total = sum(abs(number(f)) for f in row)
-                need(total < number(bound) or (total == number(bound) and not strict), 'a sum of absolute values is too large')
-            else: self.cover('rows', row, bound, self.next('cover'), strict)
+            if not all(f.is_number() for f in row + [bound]): self.cover('rows', row, bound, self.next('cover'), strict)
+            else:
+                margin = number(bound) - sum(abs(number(f)) for f in row)
+                need(margin > 0 or (margin == 0 and not strict), 'a sum of absolute values is too large')
     def interval(self, text):
         m = re.fullmatch(r'\s*([\[(])(.*),(.*)([\])])\s*', text)
-        need(m, 'an interval is needed')
         lo, hi = number(self.value(m[2])), None if m[3].strip() == 'inf' else number(self.value(m[3]))
-        need((hi is None and m[4] == ')') or (hi is not None and lo <= hi), 'the ends of an interval are reversed')
+        need(m[4] == ')' if hi is None else lo <= hi, 'the ends of an interval are reversed')
         return lo, hi, m[1] == '(', m[4] == ')'
     def state(self, line):
         verb, _, rest = line.partition(' ')
+        if verb == '#': return
         if verb == 'let':
             name, _, text = rest.partition('=')
             need(name.strip() not in self.names, 'named twice')
             self.names[name.strip()] = self.value(text)
         elif verb == 'def':
             m = re.fullmatch(r'(\w+)\((.*?)\) = (.*)', rest)
-            self.functions[m[1]] = ([p.strip() for p in m[2].split(',') if p.strip()], self.parse(m[3]))
+            self.functions[m[1]] = ([p.strip() for p in m[2].split(',') if p.strip()], parse(m[3]))
         elif verb == 'for':
             x, _, text = rest.partition(' in ')
             need(x not in self.roots, 'a root has its range')
@@ -316,9 +277,10 @@ class Certificate:
             x, f = m[1], self.value(m[2])
             need(x not in self.boxes and x not in self.names and f.den == ONE, 'a root of a polynomial is needed')
             equation = {e: number(F(c)) for e, c in by_power(f.num, x).items()}
-            self.boxes[x] = lo, hi, _, _ = self.interval(m[3])
-            need(min(equation) >= 0 and number(substitute(f, x, const(lo))) * number(substitute(f, x, const(hi))) < 0, 'no change of sign')
-            self.cover('definite', [derivative(f, x)], const(0), self.next('cover'))
+            lo, hi, *_ = self.boxes[x] = self.interval(m[3])
+            change = number(substitute(f, x, const(lo))) * number(substitute(f, x, const(hi)))
+            need(min(equation) >= 0 and change < 0, 'no change of sign')
+            self.cover('nonzero', [derivative(f, x)], const(0), self.next('cover'))
             self.roots[x] = equation
         elif verb == 'value': self.values.append(self.value(rest))
         elif verb == 'rows':
@@ -331,68 +293,77 @@ class Certificate:
         elif verb == 'least': self.least(*re.fullmatch(r'(max|sum) (.*) over (.*) == (.*) at (.*)', rest).groups())
         elif verb == 'minimum': self.minimum(*re.fullmatch(r'max (.*) over (.*) == (.*) at (.*)', rest).groups())
         else:
-            a, relation, b = re.fullmatch(r'(.*) (==|!=|>=?) (.*)', line).groups()
+            a, relation, b = re.fullmatch(r'(.*?) (==|!=|>=?) (.*)', line).groups()
             a, b = self.value(a), self.value(b)
             if relation == '==': need(self.equal(a, b), 'the two sides are not equal')
-            elif relation == '!=': self.compare((a - b) * (a - b), const(0), True)
-            else: self.compare(a, b, relation == '>')
+            elif relation == '!=': self.greater((a - b) * (a - b), const(0), True)
+            else: self.greater(a, b, relation == '>')
     def radius(self, family, relation, bound):
         family, bound = self.value(family), self.value(bound)
-        if relation == '<=':  # the balanced hull of the vertices is mapped into `bound` times itself
+        if relation == '<=':  # the balanced hull of the vertices is sent into `bound` times itself
             vertices, images = self.value(self.next('vertices')), self.value(self.next('images'))
-            span = [vertices[whole(k)] for k in self.value(self.next('span'))]
-            need(len(span) == len(family[0]), 'the vertices do not span the space')
-            self.compare(power(determinant(span), 2), const(0), True)
+            span = [whole(k) for k in self.value(self.next('span'))]
+            need(len(span) == len(family[0]) and all(0 <= k < len(vertices) for k in span), 'the vertices do not span the space')
+            self.greater(power(determinant([vertices[k] for k in span]), 2), const(0), True)
             need(len(images) == len(family) * len(vertices), 'an image is missing')
             for (m, v), weights in zip(itertools.product(family, vertices), images):
                 need(self.equal(times(m, v), times(weights, vertices)), 'an image is not that combination')
-            self.rows(images, bound, False)
-        else:  # det of the product on an invariant space of dimension d is the product of d eigenvalues
-            word, space, block = self.value(self.next('word')), self.value(self.next('space')), self.value(self.next('block'))
-            product = family[whole(word[0])]
-            for k in word[1:]: product = times(product, family[whole(k)])
-            need(self.equal(times(product, space), times(space, block)), 'the space is not invariant')
-            self.compare(determinant(times([list(c) for c in zip(*space)], space)), const(0), True)
-            self.compare(power(determinant(block), 2), power(bound, 2 * len(word) * len(block)), False)
+            return self.rows(images, bound, False)
+        word = [whole(k) for k in self.value(self.next('word'))]  # on an invariant space det is a product of eigenvalues
+        space, block = self.value(self.next('space')), self.value(self.next('block'))
+        need(word and all(0 <= k < len(family) for k in word), 'there is no such matrix')
+        product = family[word[0]]
+        for k in word[1:]: product = times(product, family[k])
+        need(self.equal(times(product, space), times(space, block)), 'the space is not invariant')
+        self.greater(determinant(times([list(c) for c in zip(*space)], space)), const(0), True)
+        self.greater(power(determinant(block), 2), power(bound, 2 * len(word) * len(block)), False)
     def least(self, norm, items, over, value, at):
         """Affine items: weights that cancel the variables bound the norm from below by a constant, reached at `at`."""
         items, xs, value, at = self.value(items), [x.strip() for x in over.split(',')], self.value(value), self.value(at)
         dual, at = self.value(self.next('dual')), at if isinstance(at, list) else [at]
-        need(len(dual) == len(items) and len(at) == len(xs), 'a weight for each item, a place for each variable')
-        self.rows([dual] if norm == 'max' else [[y] for y in dual], const(1), False)
+        need(len(dual) == len(items) and len(at) == len(xs), 'a weight for each entry, a place for each variable')
+        column = lambda row: [[f] for f in row]
+        self.rows(dual if norm == 'max' else column(dual), const(1), False)
         combined, there = times(dual, items), items
         for x, place in zip(xs, at):
             need(self.equal(derivative(combined, x), const(0)), 'the weights leave a variable')
             there = [substitute(f, x, place) for f in there]
         need(self.equal(combined, value), 'the weights give another bound')
-        self.rows([[f] for f in there] if norm == 'max' else there, value, False)
+        self.rows(column(there) if norm == 'max' else there, value, False)
     def minimum(self, items, x, value, at):
-        """Of max |item| over the range of x: beyond [a, b] an item exceeds the value; on both sides of `at` within it one
-        falls, or rises, from the value at `at` (signs and numbers of the two items)."""
-        items, value, at = self.value(items), self.value(value), self.value(at)
-        box, (lo, hi), (i, j) = self.boxes[x], self.interval(self.next('near'))[:2], self.next('active').split()
-        pick = lambda t: items[int(t[1:])] if t[0] == '+' else -items[int(t[1:])]
-        there = [substitute(f, x, at) for f in items]
-        for f in there:
-            self.compare(value, f, False)
-            self.compare(value, -f, False)
-        need(self.equal(substitute(pick(i), x, at), value) and self.equal(substitute(pick(j), x, at), value), 'not active')
+        """Outside `near` some item exceeds the value; within it one item falls to `at`, another rises from it."""
+        items, value, at, box = self.value(items), self.value(value), self.value(at), self.boxes[x]
+        (lo, hi, *_), active = self.interval(self.next('near')), self.next('active').split()
+        need(len(active) == 2 and all(re.fullmatch(r'[+-]\d{1,6}', t) for t in active) and hi is not None, 'two active items are needed')
+        falling, rising = [items[int(t[1:])] if t[0] == '+' else -items[int(t[1:])] for t in active]
+        for f in items:
+            for there in (substitute(f, x, at), -substitute(f, x, at)): self.greater(value, there, False)
+        need(self.equal(substitute(falling, x, at), value) and self.equal(substitute(rising, x, at), value), 'not active')
         self.boxes[x] = lo, hi, False, False
-        self.compare(-derivative(pick(i), x), const(0), True)
-        self.compare(derivative(pick(j), x), const(0), True)
-        self.compare(at, const(lo), True)
-        self.compare(const(hi), at, True)
+        self.greater(-derivative(falling, x), const(0), True)
+        self.greater(derivative(rising, x), const(0), True)
+        self.greater(at, const(lo), True)
+        self.greater(const(hi), at, True)
         for side in ((box[0], lo, box[2], False), (hi, box[1], False, box[3])):
             self.boxes[x] = side
-            if side[0] < side[1]: self.cover('peak', items, value, self.next('cover'))
+            if side[1] is None or side[0] < side[1]: self.cover('peak', items, value, self.next('cover'))
         self.boxes[x] = box
+def split(a, axis, degrees):  # de Casteljau at the middle
+    left, right = {}, {}
+    for index in (i for i in a if i[axis] == 0):
+        at = lambda k: index[:axis] + (k,) + index[axis + 1:]
+        line, n = [a[at(k)] for k in range(degrees[axis] + 1)], degrees[axis]
+        for k in range(n + 1):
+            left[at(k)], right[at(n - k)] = line[0], line[-1]
+            line = [(x + y) / 2 for x, y in zip(line, line[1:])]
+    return left, right
 
-# ---- Schemes and files -----------------------------------------------------------------------------------------------
-def catalogue(text, c):
+# ---- Schemes and files -------------------------------------------------------------------------------------------------
+def catalogue(text, c):  # the symbol of a named scheme; None for a file, which its mask alone defines
     family, _, rest = text.partition(':')
     args = {k.strip(): c.value(v) for k, _, v in (p.partition('=') for p in rest.split(',') if p)}
-    z, n = var('z'), lambda p, q=1: const(Q(p, q))
-    row = lambda first, coefficients: sum((f * power(z, first + i) for i, f in enumerate(coefficients)), n(0))
+    n = lambda p, q=1: const(Q(p, q))
+    row = lambda first, items: sum((f * power(var('z'), first + i) for i, f in enumerate(items)), n(0))
     if family == 'jspline':
         a, b = args.get('a', args.get('s')), args.get('b', args.get('s'))
         o, e = (b - n(1)) * n(1, 16), a * n(1, 8)
@@ -401,7 +372,7 @@ def catalogue(text, c):
         w = args.get('w', n(1, 16))
         return row(-3, [-w, n(0), n(1, 2) + w, n(1), n(1, 2) + w, n(0), -w])
     if family == 'dyn-floater-hormann':
-        w = args['w'] if 'w' in args else n(1, 128)
+        w = args.get('w', n(1, 128))
         half = [n(-5) * w, n(-7) * w, n(1, 4) + n(3) * w, n(3, 4) + n(9) * w]
         return row(-4, half + half[::-1])
     if family == 'bspline':
@@ -410,44 +381,38 @@ def catalogue(text, c):
     if family == 'deslauriers-dubuc':
         k = whole(args['points']) // 2
         w = lambda j: math.prod(Q(1 - 2 * i, 2 * (j - i)) for i in range(1 - k, k + 1) if i != j)
-        return n(1) + sum((n(w(j)) * power(z, 1 - 2 * j) for j in range(1 - k, k + 1)), n(0))
-    return None  # a file: the mask in the header says which scheme is meant
+        return n(1) + sum((n(w(j)) * power(var('z'), 1 - 2 * j) for j in range(1 - k, k + 1)), n(0))
 def check(text):
     lines = text.split('\n')
-    need(text.endswith('\n') and lines[0] == 'subdivlab certificate 1' and lines[-2] == 'end', 'no whole certificate')
-    need(lines.count('statement') == 1 and lines.count('proof') == 1, 'no statement or no proof')
+    need(text.endswith('\nend\n') and lines[0] == 'subdivlab certificate 1' and 'statement' in lines and 'proof' in lines, 'no whole certificate')
     s, p = lines.index('statement'), lines.index('proof')
-    need(s < p and lines[1].startswith('claim ') and lines[2].startswith('digest '), 'the head is out of order')
-    head = lines[3:s]
+    need(3 <= s < p - 1 and lines[1].startswith('claim '), 'no whole certificate')
     digest = hashlib.sha256('\n'.join([lines[1]] + lines[3:p] + ['']).encode()).hexdigest()
     need(lines[2] == 'digest ' + digest, 'the digest is that of another scheme or statement')
-    c = Certificate(lines)
+    c = Checker()
     c.proof = lines[p + 1:-2]
-    for line in head:
-        if line.startswith('scheme '):
-            name, scheme, mask = re.fullmatch(r'scheme (\w+) (\S+) = (.*)', line).groups()
-            c.names[name] = c.value(mask)
-            known = catalogue(scheme, c)
-            need(known is None or c.equal(known, c.names[name]), 'this is not the mask of ' + scheme)
-        elif line.startswith('data '):
-            name, file, digest = line.split()[1:]
-            with open(os.path.join(DATA, file), 'rb') as f: need(hashlib.sha256(f.read()).hexdigest() == digest, 'other data')
-            c.names[name] = read_data(file)
-        else: raise Rejected('unknown line of the head: ' + line)
-    need(p > s + 1, 'nothing is stated')
-    for line in lines[s + 1:p]:
-        try: c.state(line)
-        except (ValueError, AttributeError, IndexError, KeyError, ZeroDivisionError, TypeError, RecursionError) as e:
-            raise Rejected(f'malformed: {line}: {e!r}')
+    for i, line in enumerate(lines[3:p], 3):
+        try:
+            if i >= s: c.state(line) if i > s else None
+            elif line.startswith('scheme '):
+                name, scheme, mask = re.fullmatch(r'scheme (\w+) (\S+) = (.*)', line).groups()
+                c.names[name] = c.value(mask)
+                known = catalogue(scheme, c)
+                need(known is None or c.equal(known, c.names[name]), 'this is not the mask of ' + scheme)
+            else:
+                name, file, digest = re.fullmatch(r'data (\w+) (\S+) (\w+)', line).groups()
+                c.names[name] = read_data(file)
+                with open(os.path.join(DATA, file), 'rb') as f: need(hashlib.sha256(f.read()).hexdigest() == digest, 'other data')
         except Rejected as e: raise Rejected(f'{e} ({line})')
+        except (ValueError, AttributeError, IndexError, KeyError, ZeroDivisionError, TypeError, RecursionError, OSError) as e:
+            raise Rejected(f'malformed: {line}: {e!r}')
     need(not c.proof, 'the proof says more than is stated')
     return lines[1][6:], c.values
 
 if __name__ == '__main__':
     status = 0
-    for name in sys.argv[1:]:
-        with open(name, encoding='utf-8', newline='') as file: text = file.read()
-        try: print(f'{check(text)[0]}: proved')
-        except Rejected as why:
-            status, _ = 1, print(f'{name}: rejected: {why}')
+    for path in sys.argv[1:]:
+        with open(path, encoding='utf-8', newline='') as file: content = file.read()
+        try: print(f'{check(content)[0]}: proved')
+        except Rejected as why: status, _ = 1, print(f'{path}: rejected: {why}')
     sys.exit(status)
