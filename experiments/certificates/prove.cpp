@@ -283,11 +283,12 @@ class Prover {
     const Quotient slope =
         Quotient(sign) * verifier::derivative(scalar(items[std::stoul(token.substr(1))]), x);
     if (slope.is_number()) return number(slope).sign() > 0;
-    if (!slope.is_polynomial()) return false;
+    verifier::Sparse sign = slope.is_polynomial() ? slope.above : slope.above * slope.below;
     verifier::Ranges ranges = context_.ranges;
     ranges[x] = {lower, upper, false, false};
     try {
-      const auto [cover, cell] = verifier::pose(verifier::Condition::sign, true, {slope.above, {}}, ranges);
+      const auto [cover, cell] =
+          verifier::pose(verifier::Condition::sign, true, {std::move(sign), {}}, ranges);
       (void)find_cover(cover, cell, 100);
       return true;
     } catch (const Rejected&) {
