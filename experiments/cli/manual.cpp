@@ -197,6 +197,12 @@ The coefficients must add up to the arity.
 The schema scheme.schema.json, beside this manual in the sources and in
 share/subdivlab/schemas when installed,
 says the same for editors.
+Others describe the answers of
+.Cm analyze , certify , optimize
+and
+.Cm eigen
+with
+.Fl -json .
 .Ss Objectives
 .Ar NAME Ns Op : Ns Ar option Ns = Ns Ar value Ns Op ,...
 names what
@@ -262,7 +268,10 @@ Pictures, for output alone.
 .It Pa *.bv
 Patches of surface rings for BezierView, for output alone.
 .It Pa *.json
-Scheme files.
+Scheme files, and claims of one's own for
+.Cm reproduce
+and
+.Cm check .
 .It Pa results/
 What
 .Cm reproduce
@@ -270,6 +279,9 @@ writes and
 .Cm check
 compares with: claims.json, claims.csv, series/, figures/, report/.
 claims.json is described by claims.schema.json.
+.It Pa results/certificates/
+Proofs of exact and certified claims, for
+.Cm verify .
 .El
 .Pp
 The file name - stands for standard output where an output is asked for.

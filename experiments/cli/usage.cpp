@@ -120,7 +120,9 @@ std::vector<VerbUsage> usage_of(CLI::App& app) {
 
 Completion completion_of(const VerbUsage& verb, const OptionUsage& option) {
   const std::string& value = option.value;
-  if (value == "FILE" || value == "INPUT" || value == "OUTPUT" || value == "REPORT") return Completion::file;
+  for (const char* file : {"FILE", "FIGURE", "INPUT", "OUTPUT", "PATH", "REPORT"}) {
+    if (value.starts_with(file)) return Completion::file;
+  }
   if (value == "DIR") return Completion::folder;
   if (value == "PATTERN") return Completion::claim;
   if (value.starts_with("NAME[:option")) return Completion::objective;
