@@ -50,6 +50,8 @@ install(FILES "${docs}/completion.bash" DESTINATION "${CMAKE_INSTALL_DATADIR}/ba
         RENAME subdivlab OPTIONAL)
 install(FILES "${docs}/completion.zsh" DESTINATION "${CMAKE_INSTALL_DATADIR}/zsh/site-functions"
         RENAME _subdivlab OPTIONAL)
+install(FILES "${docs}/completion.fish" DESTINATION "${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d"
+        RENAME subdivlab.fish OPTIONAL)
 install(FILES "${docs}/tutorial.md" DESTINATION "${CMAKE_INSTALL_DOCDIR}" OPTIONAL)
 file(GLOB schemas CONFIGURE_DEPENDS "${docs}/*.schema.json")
 install(FILES ${schemas} DESTINATION "${CMAKE_INSTALL_DATADIR}/subdivlab/schemas")
