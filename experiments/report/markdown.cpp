@@ -82,10 +82,12 @@ std::string verdict_count(std::span<const ClaimRecord> claims) {
 
 std::string results_page(std::span<const Experiment> experiments, std::span<const ClaimRecord> claims,
                          const Manifest& manifest) {
-  std::string text = "# Results\n\nWritten by `subdivlab reproduce`; not to be edited by hand. " +
-                     verdict_count(claims) +
-                     ".\nDefinitions, full digits and notes stand in [claims.json](claims.json) and "
-                     "[claims.csv](claims.csv), the numbers behind the figures in series/.\n";
+  std::string text =
+      "# Results\n\nWritten by `subdivlab reproduce`; not to be edited by hand. " + verdict_count(claims) +
+      ".\nDefinitions, full digits and notes stand in [claims.json](claims.json) and "
+      "[claims.csv](claims.csv), the numbers behind the figures in series/. The same with filters and the "
+      "figures beside the claims: [report/index.html](report/index.html); for the authors of the "
+      "documents: [report/errata.html](report/errata.html).\n";
   std::set<std::string> shown;
   for (const Experiment& experiment : experiments) {
     const auto own = claims_of(experiment, claims, shown);
