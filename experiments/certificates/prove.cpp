@@ -283,12 +283,13 @@ class Prover {
     const Quotient slope =
         Quotient(sign) * verifier::derivative(scalar(items[std::stoul(token.substr(1))]), x);
     if (slope.is_number()) return number(slope).sign() > 0;
-    verifier::Sparse sign = slope.is_polynomial() ? slope.above : slope.above * slope.below;
+    const Quotient product =
+        Quotient(slope.above) *
+        Quotient(slope.is_polynomial() ? verifier::Sparse{{{}, Rational(1)}} : slope.below);
     verifier::Ranges ranges = context_.ranges;
     ranges[x] = {lower, upper, false, false};
     try {
-      const auto [cover, cell] =
-          verifier::pose(verifier::Condition::sign, true, {std::move(sign), {}}, ranges);
+      const auto [cover, cell] = verifier::pose(verifier::Condition::sign, true, {product.above, {}}, ranges);
       (void)find_cover(cover, cell, 100);
       return true;
     } catch (const Rejected&) {

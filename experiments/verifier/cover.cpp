@@ -57,14 +57,36 @@ std::vector<Rational> to_bernstein(const std::vector<Rational>& powers, const Ra
   return result;
 }
 
-/// Whether the entry stands on an end that is left out.
-bool is_left_out(const Cover& cover, const Cell& cell, std::size_t entry) {
+/// Whether coefficients that are nowhere negative make a polynomial that is positive at every point of the
+/// cell but its open ends: on each of the smallest faces that hold a point of the cell, one ends' choice for
+/// each axis with a closed end, some coefficient is positive.
+bool is_positive_on_faces(const Cover& cover, const Cell& cell, const std::vector<Rational>& coefficients) {
+  std::vector<std::size_t> faces{0};  // by axis two bits: 1 the lower end, 2 the upper end, 0 neither
   for (std::size_t axis = 0; axis < cover.degrees.size(); ++axis) {
-    const std::size_t n = size_of(cover.degrees[axis]);
-    const std::size_t i = entry / stride(cover.degrees, axis) % n;
-    if (n > 1 && ((cell.open[axis].first && i == 0) || (cell.open[axis].second && i == n - 1))) return true;
+    const auto [lower_open, upper_open] = cell.open[axis];
+    std::vector<std::size_t> more;
+    for (const std::size_t face : faces) {
+      if (!lower_open) more.push_back(face | std::size_t{1} << (2 * axis));
+      if (!upper_open) more.push_back(face | std::size_t{2} << (2 * axis));
+      if (lower_open && upper_open) more.push_back(face);
+    }
+    faces = std::move(more);
   }
-  return false;
+  const auto on_face = [&](std::size_t entry, std::size_t face) {
+    for (std::size_t axis = 0; axis < cover.degrees.size(); ++axis) {
+      const std::size_t n = size_of(cover.degrees[axis]);
+      const std::size_t i = entry / stride(cover.degrees, axis) % n;
+      const std::size_t end = face >> (2 * axis) & 3U;
+      if ((end == 1 && i != 0) || (end == 2 && i != n - 1)) return false;
+    }
+    return true;
+  };
+  return std::all_of(faces.begin(), faces.end(), [&](std::size_t face) {
+    for (std::size_t entry = 0; entry < coefficients.size(); ++entry) {
+      if (coefficients[entry].sign() > 0 && on_face(entry, face)) return true;
+    }
+    return false;
+  });
 }
 
 void walk(const Cover& cover, const Cell& cell, std::istringstream& tokens) {
@@ -111,8 +133,7 @@ std::pair<Cover, Cell> pose(Condition condition, bool strict, std::vector<Sparse
       for (Sparse& p : polynomials) p = p * Sparse{{{{x, even}}, Rational(1)}};
       high += even;
     }
-    if (range.lower_open && range.upper_open) high = std::max(high, 2L);
-    need(high <= 500, "a degree is too high");
+    need(high <= 500 && cover.degrees.size() < 16, "too high a degree, or too many variables");
     cover.degrees.push_back(static_cast<int>(high));
     cell.open.emplace_back(range.lower_open, range.upper_open);
     size *= size_of(cover.degrees.back());
@@ -178,21 +199,23 @@ bool holds(const Cover& cover, const Cell& cell, const std::string& token) {
     sign = Rational(token[0] == '+' ? 1 : -1);
   } else {
     need(token == ".", "unknown cell " + token);
-    if (cover.condition == Condition::nonzero) sign = Rational(all[0][0].sign());
-  }
-  for (std::size_t i = 0; i < bound.size(); ++i) {
-    Rational margin(0);
-    if (cover.condition == Condition::rows) {
-      margin = bound[i];
-      for (std::size_t p = 0; p + 1 < all.size(); ++p) margin -= abs(all[p][i]);
-    } else {
-      margin = sign * all[entry][i] - bound[i];
+    if (cover.condition == Condition::nonzero) {
+      const auto first =
+          std::find_if(all[0].begin(), all[0].end(), [](const Rational& c) { return c.sign() != 0; });
+      if (first == all[0].end()) return false;
+      sign = Rational(first->sign());
     }
-    const bool may_vanish =
-        !cover.strict || (cover.condition != Condition::nonzero && is_left_out(cover, cell, i));
-    if (margin.sign() < 0 || (margin.sign() == 0 && !may_vanish)) return false;
   }
-  return true;
+  std::vector<Rational> margin = bound;
+  for (std::size_t i = 0; i < bound.size(); ++i) {
+    if (cover.condition == Condition::rows) {
+      for (std::size_t p = 0; p + 1 < all.size(); ++p) margin[i] -= abs(all[p][i]);
+    } else {
+      margin[i] = sign * all[entry][i] - bound[i];
+    }
+    if (margin[i].sign() < 0) return false;
+  }
+  return !cover.strict || is_positive_on_faces(cover, cell, margin);
 }
 
 void check_cover(const Cover& cover, const Cell& cell, std::string_view tokens) {

@@ -43,7 +43,7 @@ struct Cell {
 /// The two halves of a cell across an axis.
 [[nodiscard]] std::pair<Cell, Cell> halves(const Cover& cover, const Cell& cell, std::size_t axis);
 /// Whether the coefficients alone prove the condition on the cell. The token is "." or, for a peak, the sign
-/// and number of an entry, "+3". At open ends a coefficient may be 0.
+/// and number of an entry, "+3". Coefficients may be 0 where no point of the cell depends on them alone.
 [[nodiscard]] bool holds(const Cover& cover, const Cell& cell, const std::string& token);
 /// Checks the tokens of a cover, cells in the order of a walk; Rejected when a cell does not hold.
 void check_cover(const Cover& cover, const Cell& cell, std::string_view tokens);

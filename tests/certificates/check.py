@@ -216,7 +216,6 @@ class Checker:
                 need(self.boxes[x][0] > 0 or (self.boxes[x][1] is not None and self.boxes[x][1] < 0), f'{x} may be 0 in a denominator')
                 polys = [f * power(var(x), -low + (-low) % 2) for f in polys]
         degrees = [max(dict(k).get(x, 0) for f in polys for k in f.num) for x in xs]
-        degrees = [max(n, 2) if self.boxes[x][2] and self.boxes[x][3] else n for n, x in zip(degrees, xs)]
         tokens = tokens.split()
         self.walk(kind, strict, xs, degrees, [self.bernstein(f.num, xs, degrees) for f in polys], [self.boxes[x][2:] for x in xs], tokens)
         need(not tokens, 'the cover has too many cells')
@@ -232,12 +231,13 @@ class Checker:
             return
         need(token == '.' if kind != 'peak' else re.fullmatch(r'[+-]\d{1,6}', token) and int(token[1:]) < len(arrays) - 1, 'unknown cell ' + token)
         *values, top = arrays
-        sign = -1 if token[0] == '-' or (kind == 'nonzero' and values[0][(0,) * len(xs)] < 0) else 1
+        first = next((x for x in values[0].values() if x), 0)
+        sign = -1 if token[0] == '-' or (kind == 'nonzero' and first < 0) else 1
         entry = values[int(token[1:]) if kind == 'peak' else 0]
-        for i in top:
-            m = top[i] - sum(abs(v[i]) for v in values) if kind == 'rows' else sign * entry[i] - top[i]
-            left_out = any(n and ((e[0] and k == 0) or (e[1] and k == n)) for k, n, e in zip(i, degrees, ends))
-            need(m > 0 or (m == 0 and (not strict or (kind != 'nonzero' and left_out))), 'the sign is not proved on a cell')
+        margin = {i: top[i] - sum(abs(v[i]) for v in values) if kind == 'rows' else sign * entry[i] - top[i] for i in top}
+        need(all(m >= 0 for m in margin.values()), 'the sign is not proved on a cell')
+        for face in itertools.product(*([e for e, out in zip((0, n), end) if not out] or [None] for n, end in zip(degrees, ends))):
+            need(not strict or any(m > 0 and all(f in (None, k) for f, k in zip(face, i)) for i, m in margin.items()), 'the sign is not strict on a cell')
 
     # ---- Statements --------------------------------------------------------------------------------------------------
     def next(self, word):
