@@ -195,30 +195,28 @@ std::string html_document(const Document& document, const ReportSource& source,
          html_text(document.title) + "</h2>\n" + text + "</section>\n";
 }
 
-const std::string introduction =
-    "<section>\n<h2>About these errata</h2>\n"
-    "<p>We recomputed the constants and statements of these documents with subdivlab, a free library and "
-    "program. Nearly "
-    "all of them hold. Below is what does not hold as printed, what is true instead, and what we could not "
-    "recompute "
-    "because a figure or a formula is lost in the copy at hand. Quotations are verbatim, but for "
-    "superscripts and "
-    "subscripts that became plain text. Should an entry rest on a misreading of ours, we would be glad to "
-    "learn of it.</p>\n"
-    "<p>Every entry names the command that decides it anew, after <code>experiments/reproduce</code> has "
-    "built the "
-    "program. Numbers called exact are decided in rational or algebraic arithmetic; for others two ends are "
-    "given, "
-    "between which the number is proved to lie.</p>\n"
-    "<h3>Notation</h3>\n<p><code>J_s</code> is one step of the J-spline scheme with the tension s: 0 is the "
-    "four-point "
-    "scheme, 1 the cubic and 3/2 the quintic B-spline scheme. <code>J_{a,b}</code> has a parameter for the "
-    "vertex rule and "
-    "one for the edge rule. <code>*J_s</code> is that step repeated without end, and <code>{J_r, "
-    "*J_s}</code> one step "
-    "<code>J_r</code> before it. In the chapter on polyloops <code>J5</code> and so on are written in its "
-    "older parameter: "
-    "J(t) there is <code>J_{1-t/8}</code> here.</p>\n</section>\n";
+std::string introduction(std::span<const ClaimRecord> claims) {
+  const auto printed =
+      std::ranges::count_if(claims, [](const ClaimRecord& c) { return c.printed.has_value(); });
+  const auto reproduced = std::ranges::count(claims, to_string(Verdict::reproduced), &ClaimRecord::verdict);
+  return "<section>\n<h2>About these errata</h2>\n<p>We recomputed " + std::to_string(printed) +
+         " constants and statements of these documents with the library and program subdivlab; " +
+         std::to_string(reproduced) + R"html( hold, with a proof. Below
+is what does not hold as printed, what is true instead, and what we could not recompute because a figure or a formula is
+lost in the copy at hand. Quotations are verbatim, but for superscripts and subscripts that became plain text. Should an
+entry rest on a misreading of ours, we would be glad to learn of it.</p>
+<p>Every entry names the command that decides it anew, after <code>experiments/reproduce</code> has built the program,
+and links to the claim in the report. Of exact and enclosed numbers all digits shown are certain; the report has
+more.</p>
+<h3>Notation</h3>
+<p><code>J_s</code> is one step of the J-spline scheme with the tension s: 0 is the four-point scheme, 1 the cubic and 3/2
+the quintic B-spline scheme. <code>J_{a,b}</code> has a parameter for the vertex rule and one for the edge rule.
+<code>*J_s</code> is that step repeated without end, and <code>{J_r, *J_s}</code> one step <code>J_r</code> before it. In
+the chapter on polyloops <code>J5</code> and so on are written in its older parameter: J(t) there is
+<code>J_{1-t/8}</code> here.</p>
+</section>
+)html";
+}
 
 }  // namespace
 
@@ -241,7 +239,7 @@ std::string errata_page(const ReportSource& source) {
   return html_page({.title = "Errata and open points",
                     .lead = "<p>What subdivlab found in documents on subdivision curves and surfaces.</p>\n",
                     .aside = none ? "" : contents,
-                    .content = introduction + content,
+                    .content = introduction(source.claims) + content,
                     .name = "errata.html"});
 }
 

@@ -148,7 +148,7 @@ std::string filters(const ReportSource& source, std::span<const Document> docume
       "<form id=\"filters\" role=\"search\" aria-label=\"Filter the claims\" hidden>\n"
       "<p><label for=\"words\">Search</label> <input type=\"search\" id=\"words\" name=\"q\" "
       "autocomplete=\"off\" "
-      "placeholder=\"words, numbers, ids\"></p>\n<details id=\"choices\" "
+      "placeholder=\"words, numbers, ids\"></p>\n<details id=\"choices\" aria-label=\"Choices\" "
       "open><summary>Choices</summary>\n<fieldset><legend>Verdict</legend>\n";
   for (const Verdict verdict : verdicts) {
     const std::string word = to_string(verdict);
