@@ -206,8 +206,8 @@ is what does not hold as printed, what is true instead, and what we could not re
 lost in the copy at hand. Quotations are verbatim, but for superscripts and subscripts that became plain text. Should an
 entry rest on a misreading of ours, we would be glad to learn of it.</p>
 <p>Every entry names the command that decides it anew, after <code>experiments/reproduce</code> has built the program,
-and links to the claim in the report. Of exact and enclosed numbers all digits shown are certain; the report has
-more.</p>
+and links to the claim in the report. Of exact and enclosed numbers all digits shown are certain, but for the rounding
+of the last; the report has more.</p>
 <h3>Notation</h3>
 <p><code>J_s</code> is one step of the J-spline scheme with the tension s: 0 is the four-point scheme, 1 the cubic and 3/2
 the quintic B-spline scheme. <code>J_{a,b}</code> has a parameter for the vertex rule and one for the edge rule.

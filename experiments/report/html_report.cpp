@@ -239,7 +239,7 @@ std::string report_page(const ReportSource& source) {
   for (const Document& document : documents) content += html_document(document, context, shown);
   content += other_figures(context, shown);
   return html_page(
-      {.title = "subdivlab: the claims of five documents, checked",
+      {.title = "subdivlab: printed claims, checked",
        .lead = "<p>Constants and statements of papers on subdivision curves and surfaces, recomputed: with "
                "proof, or with what is true instead.</p>\n",
        .aside = contents(documents) + filters(source, documents),
