@@ -67,11 +67,6 @@ std::optional<RealInterval> parse_inequalities(std::string text) {
   return RealInterval{end_value(parts[0]), end_value(bare(parts[2])), closed(parts[1]), closed(parts[2])};
 }
 
-std::string end_text(const RealSet& set, bool lower) {
-  const std::optional<Algebraic>& end = lower ? set.parts.front().lower : set.parts.back().upper;
-  return end ? end->to_string() : "infinite";
-}
-
 }  // namespace
 
 std::string located_scheme(const std::string& text, const std::filesystem::path& folder) {
