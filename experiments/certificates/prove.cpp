@@ -39,11 +39,11 @@ std::string text(const std::vector<std::vector<Rational>>& rows) {
 
 Matrix<Rational> rational_matrix(const Value& value) {
   const auto rows = static_cast<Eigen::Index>(list(value).size());
-  Matrix<Rational> result(rows, static_cast<Eigen::Index>(list(value.items.at(0)).size()));
+  Matrix<Rational> result(rows, static_cast<Eigen::Index>(list(value.items().at(0)).size()));
   for (Eigen::Index i = 0; i < rows; ++i) {
     for (Eigen::Index j = 0; j < result.cols(); ++j) {
       result(i, j) =
-          number(scalar(value.items[static_cast<std::size_t>(i)].items.at(static_cast<std::size_t>(j))));
+          number(scalar(value.items()[static_cast<std::size_t>(i)].items().at(static_cast<std::size_t>(j))));
     }
   }
   return result;
@@ -89,7 +89,7 @@ std::string find_dual(const Question& question) {
 std::map<std::string, std::string> find_product(const Value& family, const Value& bound) {
   const Rational radius = number(scalar(bound));
   std::vector<Matrix<Rational>> matrices;
-  for (const Value& m : family.items) matrices.push_back(rational_matrix(m));
+  for (const Value& m : family.items()) matrices.push_back(rational_matrix(m));
   std::deque<std::pair<std::vector<Rational>, Matrix<Rational>>> words;
   for (std::size_t k = 0; k < matrices.size(); ++k) {
     words.emplace_back(std::vector<Rational>{Rational(static_cast<std::int64_t>(k))}, matrices[k]);
@@ -150,7 +150,7 @@ std::optional<std::pair<Rational, std::vector<Rational>>> gauge(
 std::map<std::string, std::string> find_polytope(const Value& family, const Value& bound) {
   const Rational radius = number(scalar(bound));
   std::vector<Matrix<Rational>> matrices;
-  for (const Value& m : family.items) matrices.push_back(rational_matrix(m));
+  for (const Value& m : family.items()) matrices.push_back(rational_matrix(m));
   const Eigen::Index n = matrices.at(0).rows();
   std::vector<std::vector<Rational>> vertices;
   for (const auto& m : matrices) {

@@ -56,7 +56,7 @@ std::vector<std::string> split(const std::string& text, char separator) {
 
 /// Rows of numbers; a file whose first column is `polygon` gives a list of points for each of its values.
 Value table(const std::string& text) {
-  std::vector<Value> rows;
+  std::vector<std::vector<Value>> groups;
   std::string group;
   bool grouped = false;
   bool is_first = true;
@@ -68,16 +68,17 @@ Value table(const std::string& text) {
       grouped = cells[0] == "polygon";
       continue;
     }
+    if (groups.empty() || (grouped && cells[0] != group)) groups.emplace_back();
     if (grouped) {
-      if (rows.empty() || cells[0] != group) rows.emplace_back(std::vector<Value>{});
       group = cells[0];
       cells.erase(cells.begin());
     }
     std::vector<Value> row;
     for (const std::string& cell : cells) row.emplace_back(Quotient(Rational::parse(cell)));
-    (grouped ? rows.back().items : rows).emplace_back(std::move(row));
+    groups.back().emplace_back(std::move(row));
   }
-  return rows;
+  if (!grouped) return groups.empty() ? std::vector<Value>{} : groups[0];
+  return std::vector<Value>(groups.begin(), groups.end());
 }
 
 /// The symbol that the program makes of a scheme's name.

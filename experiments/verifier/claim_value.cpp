@@ -36,18 +36,18 @@ std::optional<std::vector<Rational>> numbers_in(const std::string& text) {
 
 void check_claim_value(const std::vector<Value>& values, const Ranges& ranges, const ClaimValue& claim) {
   for (const Value& value : values) {
-    if (!value.is_list) {
+    if (!value.is_list()) {
       const bool is_within =
-          (!claim.lower || is_at_least(value.number, Rational::parse(*claim.lower), ranges)) &&
-          (!claim.upper || is_at_least(Rational::parse(*claim.upper), value.number, ranges));
+          (!claim.lower || is_at_least(value.number(), Rational::parse(*claim.lower), ranges)) &&
+          (!claim.upper || is_at_least(Rational::parse(*claim.upper), value.number(), ranges));
       need(is_within, "the value is not the claim's");
       continue;
     }
     const auto numbers = claim.exact ? numbers_in(*claim.exact) : std::nullopt;
     if (!numbers) continue;
-    need(numbers->size() == value.items.size(), "the list of values is not the claim's");
+    need(numbers->size() == value.items().size(), "the list of values is not the claim's");
     for (std::size_t i = 0; i < numbers->size(); ++i)
-      need(number(scalar(value.items[i])) == (*numbers)[i], "the list of values is not the claim's");
+      need(number(scalar(value.items()[i])) == (*numbers)[i], "the list of values is not the claim's");
   }
 }
 

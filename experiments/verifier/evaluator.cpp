@@ -13,10 +13,10 @@ using Locals = std::map<std::string, Value>;
 
 Value each(const std::function<Quotient(const Quotient&, const Quotient&)>& f, const Value& a,
            const Value& b) {
-  need(a.is_list == b.is_list && a.items.size() == b.items.size(), "lists of different lengths");
-  if (!a.is_list) return f(a.number, b.number);
+  need(a.is_list() == b.is_list() && a.items().size() == b.items().size(), "lists of different lengths");
+  if (!a.is_list()) return f(a.number(), b.number());
   std::vector<Value> result;
-  for (std::size_t i = 0; i < a.items.size(); ++i) result.push_back(each(f, a.items[i], b.items[i]));
+  for (std::size_t i = 0; i < a.items().size(); ++i) result.push_back(each(f, a.items()[i], b.items()[i]));
   return result;
 }
 
@@ -54,7 +54,7 @@ class Evaluation {
         const Value a = operand(0);
         const long i = whole(scalar(operand(1)));
         need(i >= 0 && static_cast<std::size_t>(i) < list(a).size(), "an index is outside its list");
-        return a.items[static_cast<std::size_t>(i)];
+        return a.items()[static_cast<std::size_t>(i)];
       }
       case Kind::negate:
         return Value(Quotient(Rational(-1))) * operand(0);
@@ -170,13 +170,13 @@ class Evaluation {
 }  // namespace
 
 const Quotient& scalar(const Value& v) {
-  need(!v.is_list, "a list stands where a number is needed");
-  return v.number;
+  need(!v.is_list(), "a list stands where a number is needed");
+  return v.number();
 }
 
 const std::vector<Value>& list(const Value& v) {
-  need(v.is_list, "a number stands where a list is needed");
-  return v.items;
+  need(v.is_list(), "a number stands where a list is needed");
+  return v.items();
 }
 
 Value operator+(const Value& a, const Value& b) {
@@ -187,35 +187,37 @@ Value operator-(const Value& a, const Value& b) {
 }
 
 Value operator*(const Value& a, const Value& b) {
-  if (!a.is_list && !b.is_list) return a.number * b.number;
+  if (!a.is_list() && !b.is_list()) return a.number() * b.number();
   std::vector<Value> result;
-  if (!a.is_list) {
-    for (const Value& x : b.items) result.push_back(a * x);
+  if (!a.is_list()) {
+    for (const Value& x : b.items()) result.push_back(a * x);
     return result;
   }
-  if (!b.is_list) return b * a;
-  need(!a.items.empty() && !b.items.empty(), "an empty list in a product");
-  if (a.items[0].is_list) {
-    for (const Value& row : a.items) result.push_back(row * b);
+  if (!b.is_list()) return b * a;
+  need(!a.items().empty() && !b.items().empty(), "an empty list in a product");
+  if (a.items()[0].is_list()) {
+    for (const Value& row : a.items()) result.push_back(row * b);
     return result;
   }
-  if (b.items[0].is_list) {
-    for (const Value& column : transposed(b).items) result.push_back(a * column);
+  if (b.items()[0].is_list()) {
+    const Value columns = transposed(b);
+    for (const Value& column : columns.items()) result.push_back(a * column);
     return result;
   }
-  need(a.items.size() == b.items.size(), "lists of different lengths");
+  need(a.items().size() == b.items().size(), "lists of different lengths");
   Quotient sum;
-  for (std::size_t i = 0; i < a.items.size(); ++i) sum = sum + scalar(a.items[i]) * scalar(b.items[i]);
+  for (std::size_t i = 0; i < a.items().size(); ++i) sum = sum + scalar(a.items()[i]) * scalar(b.items()[i]);
   return sum;
 }
 
 Value transposed(const Value& matrix) {
-  std::vector<Value> columns(list(list(matrix).at(0)).size(), Value(std::vector<Value>{}));
-  for (const Value& row : matrix.items) {
+  need(!list(matrix).empty(), "an empty list where a matrix is needed");
+  std::vector<std::vector<Value>> columns(list(matrix.items()[0]).size());
+  for (const Value& row : matrix.items()) {
     need(list(row).size() == columns.size(), "rows of different lengths");
-    for (std::size_t j = 0; j < columns.size(); ++j) columns[j].items.push_back(row.items[j]);
+    for (std::size_t j = 0; j < columns.size(); ++j) columns[j].push_back(row.items()[j]);
   }
-  return columns;
+  return std::vector<Value>(columns.begin(), columns.end());
 }
 
 /// Laplace's expansion row by row, the sum kept by the set of columns used.
@@ -223,12 +225,12 @@ Quotient determinant(const Value& matrix) {
   const std::size_t n = list(matrix).size();
   need(n <= 20, "a determinant is too large");
   std::map<std::uint32_t, Quotient> minors{{0, Quotient(Rational(1))}};
-  for (const Value& row : matrix.items) {
+  for (const Value& row : matrix.items()) {
     need(list(row).size() == n, "a square matrix is needed");
     std::map<std::uint32_t, Quotient> next;
     for (const auto& [used, minor] : minors) {
       for (std::size_t j = 0; j < n; ++j) {
-        const Quotient& entry = scalar(row.items[j]);
+        const Quotient& entry = scalar(row.items()[j]);
         if ((used >> j & 1U) != 0 || entry.above.empty()) continue;
         const Quotient sign(Rational(std::popcount(used >> j) % 2 == 0 ? 1 : -1));
         Quotient& sum = next[used | 1U << j];

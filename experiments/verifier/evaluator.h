@@ -1,7 +1,10 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "experiments/verifier/quotient.h"
@@ -9,15 +12,25 @@
 
 namespace subdiv::verifier {
 
-/// A rational function, or a list of values.
-struct Value {
-  Quotient number{};
-  std::vector<Value> items{};
-  bool is_list = false;
-
+/// A rational function, or a list of values, which copies share.
+class Value {
+ public:
   Value() = default;
-  Value(Quotient q) : number(std::move(q)) {}
-  Value(std::vector<Value> list) : items(std::move(list)), is_list(true) {}
+  Value(Quotient q) : number_(std::move(q)) {}
+  Value(std::vector<Value> list) : items_(std::make_shared<const std::vector<Value>>(std::move(list))) {}
+
+  [[nodiscard]] bool is_list() const { return items_ != nullptr; }
+  /// Of what is no list.
+  [[nodiscard]] const Quotient& number() const { return number_; }
+  /// Of a list; empty for others.
+  [[nodiscard]] const std::vector<Value>& items() const {
+    static const std::vector<Value> none;
+    return items_ ? *items_ : none;
+  }
+
+ private:
+  Quotient number_{};
+  std::shared_ptr<const std::vector<Value>> items_{};
 };
 
 /// The rational function, the list, that a value is; Rejected when it is the other.

@@ -140,15 +140,15 @@ class Checker {
     });
   }
   [[nodiscard]] bool equal(const Value& a, const Value& b) const {
-    if (a.is_list || b.is_list) {
-      return a.is_list && b.is_list &&
-             std::equal(a.items.begin(), a.items.end(), b.items.begin(), b.items.end(),
+    if (a.is_list() || b.is_list()) {
+      return a.is_list() && b.is_list() &&
+             std::equal(a.items().begin(), a.items().end(), b.items().begin(), b.items().end(),
                         [&](const Value& x, const Value& y) { return equal(x, y); });
     }
-    for (const Quotient* q : {&a.number, &b.number}) {
+    for (const Quotient* q : {&a.number(), &b.number()}) {
       if (has_root(q->below)) require_nonzero(q->below);
     }
-    Quotient difference = a.number - b.number;
+    Quotient difference = a.number() - b.number();
     for (const auto& [x, equation] : c_.roots) {
       const auto by = by_power(difference.above, x);
       if (!by.empty() && by.begin()->first < 0) {
@@ -193,8 +193,8 @@ class Checker {
     need(sign > 0 || (sign == 0 && !strict), "the inequality is false");
   }
   void rows(const Value& items, const Quotient& bound, bool strict) const {
-    const bool is_matrix = !list(items).empty() && items.items[0].is_list;
-    for (const Value& row : is_matrix ? items.items : std::vector<Value>{items}) {
+    const bool is_matrix = !list(items).empty() && items.items()[0].is_list();
+    for (const Value& row : is_matrix ? items.items() : std::vector<Value>{items}) {
       const std::vector<Quotient> entries = scalars(row);
       if (!bound.is_number() ||
           !std::all_of(entries.begin(), entries.end(), [](const Quotient& q) { return q.is_number(); })) {
@@ -236,7 +236,7 @@ class Checker {
     const auto [left, right] = parts(text, at_most ? " <= " : " >= ");
     const Value family = value(left);
     const Value bound = value(right);
-    need(!list(family).empty() && !list(family.items[0]).empty(), "matrices are needed");
+    need(!list(family).empty() && !list(family.items()[0]).empty(), "matrices are needed");
     const auto ask = [&](const char* word) { return answer({word, nullptr, nullptr, {family, bound}}); };
     if (at_most) {
       const Value vertices = ask("vertices");
@@ -245,15 +245,16 @@ class Checker {
       for (const Quotient& k : scalars(ask("span"))) {
         const long i = whole(k);
         need(i >= 0 && static_cast<std::size_t>(i) < list(vertices).size(), "there is no such vertex");
-        span.push_back(vertices.items[static_cast<std::size_t>(i)]);
+        span.push_back(vertices.items()[static_cast<std::size_t>(i)]);
       }
-      need(span.size() == family.items[0].items.size(), "the vertices do not span the space");
+      need(span.size() == family.items()[0].items().size(), "the vertices do not span the space");
       greater(power(determinant(span), 2), Quotient(), true);
-      need(list(images).size() == family.items.size() * vertices.items.size(), "an image is missing");
+      need(list(images).size() == family.items().size() * vertices.items().size(), "an image is missing");
       std::size_t image = 0;
-      for (const Value& matrix : family.items) {
-        for (const Value& vertex : vertices.items) {
-          need(equal(matrix * vertex, images.items[image++] * vertices), "an image is not that combination");
+      for (const Value& matrix : family.items()) {
+        for (const Value& vertex : vertices.items()) {
+          need(equal(matrix * vertex, images.items()[image++] * vertices),
+               "an image is not that combination");
         }
       }
       return rows(images, scalar(bound), false);
@@ -265,8 +266,8 @@ class Checker {
     Value product;
     for (std::size_t k = 0; k < word.size(); ++k) {
       const long i = whole(word[k]);
-      need(i >= 0 && static_cast<std::size_t>(i) < family.items.size(), "there is no such matrix");
-      const Value& matrix = family.items[static_cast<std::size_t>(i)];
+      need(i >= 0 && static_cast<std::size_t>(i) < family.items().size(), "there is no such matrix");
+      const Value& matrix = family.items()[static_cast<std::size_t>(i)];
       product = k == 0 ? matrix : product * matrix;
     }
     need(equal(product * space, space * block), "the space is not invariant");
@@ -286,27 +287,27 @@ class Checker {
     const Value items = value(items_text);
     const Value bound = value(right);
     Value at = value(place);
-    if (!at.is_list) at = std::vector<Value>{at};
+    if (!at.is_list()) at = std::vector<Value>{at};
     const std::vector<std::string> names = names_in(over);
     std::vector<Value> variables;
     for (const std::string& x : names) variables.emplace_back(Quotient::variable(x));
     const Value dual = answer(
         {"dual", nullptr, nullptr, {Value(Quotient(Rational(is_max ? 1 : 0))), items, variables, bound, at}});
-    need(list(dual).size() == list(items).size() && at.items.size() == names.size(),
+    need(list(dual).size() == list(items).size() && at.items().size() == names.size(),
          "a weight for each entry, a place for each variable");
     rows(is_max ? dual : as_rows(dual), Rational(1), false);
     const Quotient combined = scalar(dual * items);
-    Value there = items;
+    std::vector<Value> there = items.items();
     for (std::size_t i = 0; i < names.size(); ++i) {
       need(equal(derivative(combined, names[i]), Quotient()), "the weights leave a variable");
-      for (Value& entry : there.items) entry = substitute(scalar(entry), names[i], scalar(at.items[i]));
+      for (Value& entry : there) entry = substitute(scalar(entry), names[i], scalar(at.items()[i]));
     }
     need(equal(combined, bound), "the weights give another bound");
     rows(is_max ? as_rows(there) : there, scalar(bound), false);
   }
   static Value as_rows(const Value& row) {
     std::vector<Value> result;
-    for (const Value& entry : row.items) result.emplace_back(std::vector<Value>{entry});
+    for (const Value& entry : row.items()) result.emplace_back(std::vector<Value>{entry});
     return result;
   }
 
@@ -334,9 +335,10 @@ class Checker {
     const auto pick = [&](const std::string& token) {
       need(token.size() > 1 && token.size() < 8 && (token[0] == '+' || token[0] == '-') &&
                token.find_first_not_of("0123456789", 1) == std::string::npos &&
-               std::stoul(token.substr(1)) < items.items.size(),
+               std::stoul(token.substr(1)) < items.items().size(),
            "no entry " + token);
-      return Quotient(Rational(token[0] == '+' ? 1 : -1)) * scalar(items.items[std::stoul(token.substr(1))]);
+      return Quotient(Rational(token[0] == '+' ? 1 : -1)) *
+             scalar(items.items()[std::stoul(token.substr(1))]);
     };
     for (const std::string& token : {falling, rising})
       need(equal(substitute(pick(token), x, at), bound), "entry " + token + " is not active");
