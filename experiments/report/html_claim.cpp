@@ -89,9 +89,8 @@ ClaimContext context_of(const ReportSource& source) {
 }
 
 std::optional<std::string> certificate_address(const ClaimRecord& claim, const Manifest& manifest) {
-  (void)claim;  // a manifest does not list certificates yet
-  (void)manifest;
-  return std::nullopt;
+  if (std::ranges::find(manifest.certificates, claim.id) == manifest.certificates.end()) return std::nullopt;
+  return "../certificates/" + claim.id + ".txt";
 }
 
 std::string html_value(const ClaimRecord& claim, ValueLength length) {
@@ -123,6 +122,7 @@ std::string html_claim(const ClaimRecord& claim, const ClaimContext& context) {
       "<article class=\"claim" + std::string(figures.empty() ? "" : " illustrated") + "\" id=\"" + id +
       "\" data-document=\"" + html_text(claim.document) + "\" data-verdict=\"" + html_text(claim.verdict) +
       "\" data-rigour=\"" + html_text(claim.rigour) + "\"" + (sharpened ? " data-sharpened=\"yes\"" : "") +
+      (certificate_address(claim, *context.source.manifest) ? " data-certificate=\"yes\"" : "") +
       ">\n<div class=\"text\">\n<h4><a class=\"deep\" href=\"#" + id + "\">" + id + "</a></h4>\n";
   text += "<p class=\"marks\"><span class=\"mark " + html_text(claim.verdict) + "\">" +
           html_text(claim.verdict) + "</span> <span class=\"mark\">" + html_text(claim.rigour) + "</span> " +

@@ -5,6 +5,7 @@
 #include <cctype>
 
 #include "experiments/report/html_documents.h"
+#include "experiments/report/html_overview.h"
 #include "experiments/report/html_page.h"
 #include "experiments/report/html_text.h"
 
@@ -99,6 +100,16 @@ class EntryText {
     return text;
   }
 
+  /// Links to the proofs that stand on their own; empty without them.
+  [[nodiscard]] std::string certificates(const Manifest& manifest) const {
+    std::string links;
+    for (const ClaimRecord* claim : entry_) {
+      const auto address = certificate_address(*claim, manifest);
+      if (address) links += (links.empty() ? "" : ", ") + html_link(*address, claim->id + ".txt");
+    }
+    return links.empty() ? "" : " A proof that stands on its own: " + links + ".";
+  }
+
   /// Links to the claim in the report and to what the texts refer to.
   [[nodiscard]] std::string references() const {
     std::string text = html_link("index.html#" + entry_.front()->id, entry_.front()->id);
@@ -137,8 +148,8 @@ struct Terms {
   const char* value;
 };
 
-std::string html_entry(const Entry& entry, const Terms& terms, const std::string& number,
-                       const std::set<std::string>& ids) {
+std::string html_entry(const Entry& entry, const Terms& terms, const Manifest& manifest,
+                       const std::string& number, const std::set<std::string>& ids) {
   std::string text = "<article class=\"erratum\" id=\"" + html_text(entry.front()->id) + "\">\n<h4>" +
                      number + ". " + html_text(capitalised(place_of(*entry.front()))) + "</h4>\n";
   for (const ClaimRecord* claim : entry) {
@@ -153,7 +164,7 @@ std::string html_entry(const Entry& entry, const Terms& terms, const std::string
   }
   text += row("What we examined", own.definitions());
   if (entry.front()->verdict != to_string(Verdict::not_reproducible))
-    text += row("How decided", how(*entry.front()));
+    text += row("How decided", how(*entry.front()) + own.certificates(manifest));
   text += row("To redo it", redo(entry));
   return text + row("In the report", own.references()) + "</dl>\n</article>\n";
 }
@@ -186,12 +197,12 @@ std::string html_document(const Document& document, const ReportSource& source,
     text += "<section>\n<h3>" + std::string(kind.title) + "</h3>\n";
     if (*kind.about != '\0') text += "<p>" + std::string(kind.about) + "</p>\n";
     for (const Entry& entry : entries) {
-      text += html_entry(entry, kind.terms, std::to_string(++number), ids);
+      text += html_entry(entry, kind.terms, *source.manifest, std::to_string(++number), ids);
     }
     text += "</section>\n";
   }
   if (text.empty()) return "";
-  return "<section class=\"document\" id=\"" + html_text("document:" + document.key) + "\">\n<h2>" +
+  return "<section class=\"document\" id=\"" + document_anchor(document) + "\">\n<h2>" +
          html_text(document.title) + "</h2>\n" + text + "</section>\n";
 }
 
@@ -225,20 +236,17 @@ std::string errata_page(const ReportSource& source) {
   for (const ClaimRecord& claim : source.claims) ids.insert(claim.id);
   const std::vector<Document> documents = documents_of(source.claims);
   std::string content;
-  std::string contents = "<nav aria-label=\"Documents\"><ul>";
+  std::vector<Document> listed;
   for (const Document& document : documents) {
     const std::string text = html_document(document, source, ids);
-    if (text.empty()) continue;
-    contents += "<li><a href=\"" + html_text("#document:" + document.key) + "\">" +
-                html_text(document.title) + "</a></li>";
+    if (!text.empty()) listed.push_back(document);
     content += text;
   }
-  contents += "</ul></nav>\n";
   const bool none = content.empty();
   if (none) content = "<p>No claim is refuted, inconsistent or not reproducible.</p>\n";
   return html_page({.title = "Errata and open points",
                     .lead = "<p>What subdivlab found in documents on subdivision curves and surfaces.</p>\n",
-                    .aside = none ? "" : contents,
+                    .aside = none ? "" : html_contents(listed),
                     .content = introduction(source.claims) + content,
                     .name = "errata.html"});
 }

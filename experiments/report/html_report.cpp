@@ -1,21 +1,14 @@
 #include "experiments/report/html_report.h"
 
 #include <algorithm>
-#include <array>
 
 #include "experiments/report/html_documents.h"
+#include "experiments/report/html_overview.h"
 #include "experiments/report/html_page.h"
 #include "experiments/report/html_text.h"
-#include "experiments/report/markdown.h"
-#include "experiments/report/sharpened.h"
 
 namespace subdiv {
 namespace {
-
-constexpr std::array verdicts{Verdict::reproduced,      Verdict::refuted,    Verdict::established,
-                              Verdict::undecided,       Verdict::consistent, Verdict::inconsistent,
-                              Verdict::not_reproducible};
-constexpr std::array rigours{Rigour::exact, Rigour::certified, Rigour::approximate};
 
 using Claims = std::vector<const ClaimRecord*>;
 
@@ -53,7 +46,7 @@ std::vector<Group> groups_of(const Document& document, const ReportSource& sourc
 }
 
 std::string group_anchor(const Document& document, const Group& group) {
-  return "section:" + document.key + ":" + group.name;
+  return "section:" + document_anchor(document).substr(9) + ":" + group.name;
 }
 
 /// "§3, abstract": the sections of a group's claims, each once, without figures and equations; those
@@ -112,15 +105,15 @@ std::string other_figures(const ClaimContext& context, const std::set<std::strin
       figures += html_figure(*figure, context.source.picture(figure->name));
   }
   if (figures.empty()) return "";
-  return "<section id=\"document:figures\"><h2>Other figures</h2>\n<div class=\"gallery\">\n" + figures +
+  return "<section id=\"other:figures\"><h2>Other figures</h2>\n<div class=\"gallery\">\n" + figures +
          "</div>\n</section>\n";
 }
 
 std::string html_document(const Document& document, const ClaimContext& context,
                           std::set<std::string>& shown) {
   const std::vector<Group> groups = groups_of(document, context.source);
-  std::string text = "<section class=\"document\" id=\"" + html_text("document:" + document.key) +
-                     "\">\n<h2>" + html_text(document.title) + "</h2>\n<p>" + html_text(document.about) +
+  std::string text = "<section class=\"document\" id=\"" + document_anchor(document) + "\">\n<h2>" +
+                     html_text(document.title) + "</h2>\n<p>" + html_text(document.about) +
                      "</p>\n<ul class=\"contents\">";
   for (const Group& group : groups) {
     text += "<li><a href=\"" + html_text("#" + group_anchor(document, group)) + "\">" +
@@ -132,109 +125,12 @@ std::string html_document(const Document& document, const ClaimContext& context,
   return text + "</section>\n";
 }
 
-std::size_t count(std::span<const ClaimRecord> claims, std::string ClaimRecord::* field,
-                  const std::string& value) {
-  return static_cast<std::size_t>(std::ranges::count(claims, value, field));
-}
-
-std::string choice(const std::string& name, const std::string& value, const std::string& text,
-                   std::size_t count) {
-  return "<label><input type=\"checkbox\" name=\"" + name + "\" value=\"" + html_text(value) + "\"> " +
-         html_text(text) + " <span class=\"count\">" + std::to_string(count) + "</span></label>\n";
-}
-
-std::string filters(const ReportSource& source, std::span<const Document> documents) {
-  std::string text =
-      "<form id=\"filters\" role=\"search\" aria-label=\"Filter the claims\" hidden>\n"
-      "<p><label for=\"words\">Search</label> <input type=\"search\" id=\"words\" name=\"q\" "
-      "autocomplete=\"off\" "
-      "placeholder=\"words, numbers, ids\"></p>\n<details id=\"choices\" aria-label=\"Choices\" "
-      "open><summary>Choices</summary>\n<fieldset><legend>Verdict</legend>\n";
-  for (const Verdict verdict : verdicts) {
-    const std::string word = to_string(verdict);
-    text += choice("verdict", word, word, count(source.claims, &ClaimRecord::verdict, word));
-  }
-  text += "</fieldset>\n<fieldset><legend>More is proved</legend>\n";
-  text += choice("sharpened", "yes", "sharpened",
-                 static_cast<std::size_t>(std::ranges::count_if(
-                     source.claims, [&](const ClaimRecord& c) { return is_sharpened(c, source.claims); })));
-  text += "</fieldset>\n<fieldset><legend>Rigour</legend>\n";
-  for (const Rigour rigour : rigours) {
-    const std::string word = to_string(rigour);
-    text += choice("rigour", word, word, count(source.claims, &ClaimRecord::rigour, word));
-  }
-  text += "</fieldset>\n<fieldset><legend>Document</legend>\n";
-  for (const Document& document : documents) {
-    text += choice("document", document.key, document.key,
-                   count(source.claims, &ClaimRecord::document, document.key));
-  }
-  return text +
-         "</fieldset>\n</details>\n<p class=\"result\"><output id=\"status\" role=\"status\" "
-         "aria-live=\"polite\"></output> "
-         "<button type=\"reset\">Show all</button></p>\n</form>\n"
-         "<p class=\"no-script\">Without JavaScript all claims are shown; the browser's own search finds "
-         "words.</p>\n";
-}
-
-std::string contents(std::span<const Document> documents) {
-  std::string text = "<nav aria-label=\"Documents\"><ul>";
-  for (const Document& document : documents) {
-    text += "<li><a href=\"" + html_text("#document:" + document.key) + "\">" + html_text(document.title) +
-            "</a></li>";
-  }
-  return text + "</ul></nav>\n";
-}
-
-/// A table of verdicts by documents; each number links to its claims.
-std::string overview(const ReportSource& source, std::span<const Document> documents) {
-  std::string text = "<section id=\"overview\">\n<h2>Overview</h2>\n<p>" +
-                     html_text(verdict_count(source.claims)) +
-                     ".</p>\n<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"Verdicts by "
-                     "document\"><table><caption>Verdicts by document; a number "
-                     "leads to its claims</caption>\n<thead><tr><th scope=\"col\">Document</th>";
-  for (const Verdict verdict : verdicts) text += "<th scope=\"col\">" + to_string(verdict) + "</th>";
-  text += "</tr></thead>\n<tbody>\n";
-  for (const Document& document : documents) {
-    text += "<tr><th scope=\"row\">" + html_text(document.key) + "</th>";
-    for (const Verdict verdict : verdicts) {
-      const std::string word = to_string(verdict);
-      const auto number = std::ranges::count_if(source.claims, [&](const ClaimRecord& c) {
-        return c.document == document.key && c.verdict == word;
-      });
-      text += "<td>";
-      if (number > 0) {
-        text += "<a href=\"" +
-                html_text("?verdict=" + word + "&document=" + document.key + "#document:" + document.key) +
-                "\">" + std::to_string(number) + "</a>";
-      } else {
-        text += "0";
-      }
-      text += "</td>";
-    }
-    text += "</tr>\n";
-  }
-  return text + "</tbody></table></div>\n" +
-         "<h3>What the words mean</h3>\n<dl class=\"words\">\n"
-         "<div><dt>reproduced</dt><dd>The printed value or statement holds, proved.</dd></div>\n"
-         "<div><dt>refuted</dt><dd>It does not hold; what is true stands beside it. See also <a "
-         "href=\"errata.html\">the errata</a>.</dd></div>\n"
-         "<div><dt>established</dt><dd>A finding of subdivlab, which no document prints, proved.</dd></div>\n"
-         "<div><dt>undecided</dt><dd>The budget of the computation ended; the enclosure reached is "
-         "shown.</dd></div>\n"
-         "<div><dt>consistent, inconsistent</dt><dd>All that an approximate value may say.</dd></div>\n"
-         "<div><dt>not-reproducible</dt><dd>A figure or formula is lost; the note says which.</dd></div>\n"
-         "<div><dt>exact, certified, approximate</dt><dd>Decided in exact arithmetic; proved with outward "
-         "rounding; "
-         "computed in floating point without proof.</dd></div>\n<div><dt>sharpened</dt><dd>" +
-         html_text(sharpened_definition()) + "</dd></div>\n</dl>\n</section>\n";
-}
-
 }  // namespace
 
 std::string report_page(const ReportSource& source) {
   const ClaimContext context = context_of(source);
   const std::vector<Document> documents = documents_of(source.claims);
-  std::string content = overview(source, documents);
+  std::string content = html_overview(source, documents);
   std::set<std::string> shown;
   for (const Document& document : documents) content += html_document(document, context, shown);
   content += other_figures(context, shown);
@@ -242,7 +138,7 @@ std::string report_page(const ReportSource& source) {
       {.title = "subdivlab: printed claims, checked",
        .lead = "<p>Constants and statements of papers on subdivision curves and surfaces, recomputed: with "
                "proof, or with what is true instead.</p>\n",
-       .aside = contents(documents) + filters(source, documents),
+       .aside = html_contents(documents) + html_filters(source, documents),
        .content = content,
        .with_script = true,
        .name = "index.html"});

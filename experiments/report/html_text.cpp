@@ -70,6 +70,23 @@ std::string html_with_links(std::string_view text, const std::set<std::string>& 
   return html_with_ids(text, ids, [](const std::string& id) { return html_link("#" + id, id); });
 }
 
+std::string url_text(std::string_view text) {
+  constexpr std::string_view hex = "0123456789ABCDEF";
+  std::string result;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool plain = (byte < 0x80 && std::isalnum(byte) != 0) || c == '-' || c == '.' || c == '_';
+    if (plain) {
+      result += c;
+    } else {
+      result += '%';
+      result += hex[byte / 16];
+      result += hex[byte % 16];
+    }
+  }
+  return result;
+}
+
 std::string html_link(const std::string& address, const std::string& text) {
   return "<a href=\"" + html_text(address) + "\">" + html_text(text) + "</a>";
 }

@@ -17,6 +17,9 @@ namespace subdiv {
 /// The same, each id of a claim in it turned into a link to the claim on the same page.
 [[nodiscard]] std::string html_with_links(std::string_view text, const std::set<std::string>& ids);
 
+/// Text as a value in an address' query: all but letters, digits and - . _ as %XX.
+[[nodiscard]] std::string url_text(std::string_view text);
+
 /// A link: `text` is text, not HTML.
 [[nodiscard]] std::string html_link(const std::string& address, const std::string& text);
 

@@ -63,6 +63,7 @@ struct Sample {
                      {"shared", "first", "Shared", "", {"a.refuted", "a.exact.c1"}},
                      {"free", "first", "Free & easy", "", {}},
                      {"gone", "first", "Gone", "", {"no.such.claim"}}},
+                    {"a.bound.c1", "a.refuted"},
                     page_names()};
 
   [[nodiscard]] ReportSource source() const {
@@ -92,6 +93,8 @@ TEST(HtmlText, EscapesWhatIsMarkup) {
   EXPECT_EQ(html_text("1 < s & \"t\" > 'u'"), "1 &lt; s &amp; &quot;t&quot; &gt; &#39;u&#39;");
   EXPECT_EQ(html_text("\xE2\x89\xA4 \xCF\x83"), "\xE2\x89\xA4 \xCF\x83");
 }
+
+TEST(UrlText, KeepsQueriesApart) { EXPECT_EQ(url_text("a-b.c_1 & \xC3\xA9#"), "a-b.c_1%20%26%20%C3%A9%23"); }
 
 TEST(HtmlText, LinksIdsAndNothingElse) {
   const std::set<std::string> ids{"fit.b2", "fit.b2.l1"};
@@ -187,6 +190,17 @@ TEST(ReportPage, FiguresStandBesideTheFirstClaimThatTheyName) {
   EXPECT_TRUE(contains(page, "width=\"800\" height=\"500\""));
 }
 
+TEST(ReportPage, LinksToCertificates) {
+  const Sample sample;
+  const std::string page = report_page(sample.source());
+  EXPECT_TRUE(
+      contains(part(page, "id=\"a.bound.c1\"", "</article>"), "<a href=\"../certificates/a.bound.c1.txt\">"));
+  EXPECT_EQ(occurrences(page, "data-certificate=\"yes\""), 2U);
+  const std::string errata = errata_page(sample.source());
+  EXPECT_TRUE(contains(errata, "<a href=\"../certificates/a.refuted.txt\">"));
+  EXPECT_EQ(occurrences(errata, "../certificates/"), 1U);
+}
+
 TEST(ReportPage, LinksToTheErrata) {
   const Sample sample;
   const std::string page = report_page(sample.source());
@@ -203,10 +217,10 @@ TEST(ReportPage, MarksVerdictRigourAndSharpened) {
   const std::string page = report_page(sample.source());
   EXPECT_TRUE(contains(page,
                        "id=\"a.bound.c1\" data-document=\"jsplines\" data-verdict=\"reproduced\" "
-                       "data-rigour=\"exact\" data-sharpened=\"yes\""));
+                       "data-rigour=\"exact\" data-sharpened=\"yes\" data-certificate=\"yes\""));
   EXPECT_TRUE(contains(page,
                        "id=\"a.refuted\" data-document=\"jsplines\" data-verdict=\"refuted\" "
-                       "data-rigour=\"exact\">"));
+                       "data-rigour=\"exact\" data-certificate=\"yes\">"));
 }
 
 TEST(HtmlValue, ShowsTextDigitsAndEnds) {

@@ -78,10 +78,12 @@ TEST(ClaimsJson, NamesWhatIsMissingOrOfTheWrongType) {
 TEST(ManifestJson, RoundTripAndFileNames) {
   const Manifest manifest{{{"norms", "smoothness", ""}},
                           {{"basis", "fit", "Basis functions φ", "Curves: \"a\"", {"fit.a", "fit.b."}}},
+                          {"fit.a"},
                           {"README.md"}};
   const Manifest again = manifest_from_json(manifest_to_json(manifest), "manifest.json");
   EXPECT_EQ(again.series, manifest.series);
   EXPECT_EQ(again.figures, manifest.figures);
+  EXPECT_EQ(again.certificates, manifest.certificates);
   EXPECT_EQ(again.pages, manifest.pages);
   const std::string outside = "{\"series\": [{\"name\": \"../x\", \"experiment\": \"a\"}], \"figures\": []}";
   EXPECT_THROW((void)manifest_from_json(outside, "manifest.json"), InputError);
