@@ -63,10 +63,11 @@ _subdivlab() {
   COMPREPLY=()
   case ${words[1]} in
     reproduce)
-      options='--help -h --out -o --jobs -j'
-      valued='--out -o --jobs -j'
+      options='--help -h --claims --out -o --jobs -j'
+      valued='--claims --out -o --jobs -j'
       _subdivlab_place
       case $place in
+        --claims) kind='file' ;;
         --out) kind='folder' ;;
         -o) kind='folder' ;;
         --jobs) kind='none' ;;
@@ -75,10 +76,11 @@ _subdivlab() {
       esac
       ;;
     check)
-      options='--help -h --against --jobs -j'
-      valued='--against --jobs -j'
+      options='--help -h --claims --against --jobs -j'
+      valued='--claims --against --jobs -j'
       _subdivlab_place
       case $place in
+        --claims) kind='file' ;;
         --against) kind='folder' ;;
         --jobs) kind='none' ;;
         -j) kind='none' ;;
@@ -114,6 +116,17 @@ _subdivlab() {
         --over) kind='none' ;;
         --continuity) kind='none' ;;
         --budget) kind='none' ;;
+        0) kind='scheme' ;;
+      esac
+      ;;
+    plot)
+      options='--help -h --over --out -o'
+      valued='--over --out -o'
+      _subdivlab_place
+      case $place in
+        --over) kind='none' ;;
+        --out) kind='file' ;;
+        -o) kind='file' ;;
         0) kind='scheme' ;;
       esac
       ;;
@@ -218,7 +231,7 @@ _subdivlab() {
       valued=''
       _subdivlab_place
       case $place in
-        0) kind='none' ;;
+        0) kind='file' ;;
       esac
       ;;
     list)
@@ -226,7 +239,7 @@ _subdivlab() {
       valued=''
       _subdivlab_place
       case $place in
-        0) kind='choice schemes claims objectives' ;;
+        0) kind='choice schemes claims objectives definitions' ;;
       esac
       ;;
     completion)
@@ -246,7 +259,7 @@ _subdivlab() {
       ;;
   esac
   if [[ ${#words[@]} -le 2 ]]; then
-    kind='choice reproduce check analyze optimize certify eigen refine rings bezier measure smooth prove verify list completion manual --help --version'
+    kind='choice reproduce check analyze optimize certify plot eigen refine rings bezier measure smooth prove verify list completion manual --help --version'
   elif [[ $word == -* && $place =~ ^[0-9]+$ ]]; then
     kind="choice $options"
   fi
@@ -268,7 +281,7 @@ _subdivlab() {
       # Behind --scheme, the first word is a file.
       while IFS= read -r candidate; do COMPREPLY+=("$candidate"); done < <(compgen -f -X '*.json' -- "$word")
       ;;
-    objective) _subdivlab_words area edge edge-distance fit-bspline fit-bspline:continuum fit-bspline:degree= fit-bspline:level= polygon-distance popping popping:level= vertex vertex-distance ;;
+    objective) _subdivlab_words area difference-norm difference-norm:continuity= edge edge-distance fit-bspline fit-bspline:continuum fit-bspline:degree= fit-bspline:level= polygon-distance popping popping:level= vertex vertex-distance ;;
     claim) _subdivlab_words $(_subdivlab_claims) ;;
   esac
   # What bash has parted off must not stand in the answers.

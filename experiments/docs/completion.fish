@@ -22,6 +22,7 @@ complete -c subdivlab -n __fish_use_subcommand -a check -d 'Run experiments agai
 complete -c subdivlab -n __fish_use_subcommand -a analyze -d 'Say everything that can be said of a scheme'
 complete -c subdivlab -n __fish_use_subcommand -a optimize -d 'Minimise an objective over free parameters, with proof'
 complete -c subdivlab -n __fish_use_subcommand -a certify -d 'Prove smoothness for whole ranges of parameters'
+complete -c subdivlab -n __fish_use_subcommand -a plot -d 'Draw a basis function, or smoothness over a parameter'
 complete -c subdivlab -n __fish_use_subcommand -a eigen -d 'Eigenvalues and characteristic maps at extraordinary vertices of meshes'
 complete -c subdivlab -n __fish_use_subcommand -a refine -d 'Refine a polygon, a grid or a mesh'
 complete -c subdivlab -n __fish_use_subcommand -a rings -d 'Surface rings of adjustable speed around extraordinary vertices of a mesh of quads'
@@ -30,17 +31,19 @@ complete -c subdivlab -n __fish_use_subcommand -a measure -d 'Measure polygons a
 complete -c subdivlab -n __fish_use_subcommand -a smooth -d 'Smooth a polygon by a sequence of operators'
 complete -c subdivlab -n __fish_use_subcommand -a prove -d 'Find the certificates of statements'
 complete -c subdivlab -n __fish_use_subcommand -a verify -d 'Check certificates in exact arithmetic, without searching'
-complete -c subdivlab -n __fish_use_subcommand -a list -d 'Name the schemes, the claims, the objectives'
+complete -c subdivlab -n __fish_use_subcommand -a list -d 'Name the schemes, the claims, the objectives, the definitions'
 complete -c subdivlab -n __fish_use_subcommand -a completion -d 'Print a script that teaches a shell verbs, options and values'
 complete -c subdivlab -n __fish_use_subcommand -a manual -d 'Print the manual page'
 
 complete -c subdivlab -n '__fish_seen_subcommand_from reproduce' -l help -s h -d 'Print this help message and exit'
-complete -c subdivlab -n '__fish_seen_subcommand_from reproduce' -l out -s o -r -a '(__fish_complete_directories)' -d 'The results folder to write'
+complete -c subdivlab -n '__fish_seen_subcommand_from reproduce' -l claims -r -F -d 'Claims of your own, a JSON file, instead of those of the papers; --out is required then'
+complete -c subdivlab -n '__fish_seen_subcommand_from reproduce' -l out -s o -r -a '(__fish_complete_directories)' -d 'The results folder to write (default: results)'
 complete -c subdivlab -n '__fish_seen_subcommand_from reproduce' -l jobs -s j -r -d 'Experiments that run at the same time (default: one a processor)'
 complete -c subdivlab -n '__fish_seen_subcommand_from reproduce' -a '(__subdivlab_claims)'
 
 complete -c subdivlab -n '__fish_seen_subcommand_from check' -l help -s h -d 'Print this help message and exit'
-complete -c subdivlab -n '__fish_seen_subcommand_from check' -l against -r -a '(__fish_complete_directories)' -d 'The results folder to compare with'
+complete -c subdivlab -n '__fish_seen_subcommand_from check' -l claims -r -F -d 'Claims of your own, a JSON file, instead of those of the papers; --against is required then'
+complete -c subdivlab -n '__fish_seen_subcommand_from check' -l against -r -a '(__fish_complete_directories)' -d 'The results folder to compare with (default: results)'
 complete -c subdivlab -n '__fish_seen_subcommand_from check' -l jobs -s j -r -d 'Experiments that run at the same time (default: one a processor)'
 complete -c subdivlab -n '__fish_seen_subcommand_from check' -a '(__subdivlab_claims)'
 
@@ -52,7 +55,7 @@ complete -c subdivlab -n '__fish_seen_subcommand_from analyze' -a '(__subdivlab_
 
 complete -c subdivlab -n '__fish_seen_subcommand_from optimize' -l help -s h -d 'Print this help message and exit'
 complete -c subdivlab -n '__fish_seen_subcommand_from optimize' -l over -r -d 'A range for each free parameter'
-complete -c subdivlab -n '__fish_seen_subcommand_from optimize' -l objective -r -a 'area edge edge-distance fit-bspline fit-bspline:continuum fit-bspline:degree= fit-bspline:level= polygon-distance popping popping:level= vertex vertex-distance' -d 'What to minimise: see \'subdivlab list objectives\''
+complete -c subdivlab -n '__fish_seen_subcommand_from optimize' -l objective -r -a 'area difference-norm difference-norm:continuity= edge edge-distance fit-bspline fit-bspline:continuum fit-bspline:degree= fit-bspline:level= polygon-distance popping popping:level= vertex vertex-distance' -d 'What to minimise: see \'subdivlab list objectives\''
 complete -c subdivlab -n '__fish_seen_subcommand_from optimize' -l norm -r -a 'l1 l2 linf' -d 'The norm of the residuals: l1, l2 or linf; on a polygon linf when not given'
 complete -c subdivlab -n '__fish_seen_subcommand_from optimize' -l polygon -r -F -d 'A closed polygon, .csv (x,y[,z] a line) or .obj, for objectives of its curve'
 complete -c subdivlab -n '__fish_seen_subcommand_from optimize' -l json -d 'Machine-readable output; numbers are strings'
@@ -64,6 +67,11 @@ complete -c subdivlab -n '__fish_seen_subcommand_from certify' -l continuity -r 
 complete -c subdivlab -n '__fish_seen_subcommand_from certify' -l budget -r -d 'Time; what is left then is undecided'
 complete -c subdivlab -n '__fish_seen_subcommand_from certify' -l json -d 'Machine-readable output; numbers are strings'
 complete -c subdivlab -n '__fish_seen_subcommand_from certify' -a '(__subdivlab_schemes curve)'
+
+complete -c subdivlab -n '__fish_seen_subcommand_from plot' -l help -s h -d 'Print this help message and exit'
+complete -c subdivlab -n '__fish_seen_subcommand_from plot' -l over -r -d 'Draw the Hoelder exponent and the certified ranges over the free parameter'
+complete -c subdivlab -n '__fish_seen_subcommand_from plot' -l out -s o -r -F -d 'A .svg file; - for standard output'
+complete -c subdivlab -n '__fish_seen_subcommand_from plot' -a '(__subdivlab_schemes curve)'
 
 complete -c subdivlab -n '__fish_seen_subcommand_from eigen' -l help -s h -d 'Print this help message and exit'
 complete -c subdivlab -n '__fish_seen_subcommand_from eigen' -l valence -r -d 'The valences, one answer each'
@@ -130,10 +138,11 @@ complete -c subdivlab -n '__fish_seen_subcommand_from prove' -F
 complete -c subdivlab -n '__fish_seen_subcommand_from verify' -l help -s h -d 'Print this help message and exit'
 complete -c subdivlab -n '__fish_seen_subcommand_from verify' -l print-statement -d 'Say in words what each one proves'
 complete -c subdivlab -n '__fish_seen_subcommand_from verify' -l missing -d 'List the exact or certified claims that have no certificate'
+complete -c subdivlab -n '__fish_seen_subcommand_from verify' -F
 
 complete -c subdivlab -n '__fish_seen_subcommand_from list' -l help -s h -d 'Print this help message and exit'
 complete -c subdivlab -n '__fish_seen_subcommand_from list' -l json -d 'Machine-readable output'
-complete -c subdivlab -n '__fish_seen_subcommand_from list' -a 'schemes claims objectives'
+complete -c subdivlab -n '__fish_seen_subcommand_from list' -a 'schemes claims objectives definitions'
 
 complete -c subdivlab -n '__fish_seen_subcommand_from completion' -l help -s h -d 'Print this help message and exit'
 complete -c subdivlab -n '__fish_seen_subcommand_from completion' -a 'bash zsh fish'

@@ -17,7 +17,7 @@ _subdivlab_schemes() {
   _files -g '*.json'
 }
 
-_subdivlab_objectives() { compadd -S '' -- area edge edge-distance fit-bspline fit-bspline:continuum fit-bspline:degree= fit-bspline:level= polygon-distance popping popping:level= vertex vertex-distance; }
+_subdivlab_objectives() { compadd -S '' -- area difference-norm difference-norm:continuity= edge edge-distance fit-bspline fit-bspline:continuum fit-bspline:degree= fit-bspline:level= polygon-distance popping popping:level= vertex vertex-distance; }
 
 _subdivlab_claims() {
   local -a lines
@@ -39,6 +39,7 @@ _subdivlab() {
         'analyze:Say everything that can be said of a scheme'
         'optimize:Minimise an objective over free parameters, with proof'
         'certify:Prove smoothness for whole ranges of parameters'
+        'plot:Draw a basis function, or smoothness over a parameter'
         'eigen:Eigenvalues and characteristic maps at extraordinary vertices of meshes'
         'refine:Refine a polygon, a grid or a mesh'
         'rings:Surface rings of adjustable speed around extraordinary vertices of a mesh of quads'
@@ -47,7 +48,7 @@ _subdivlab() {
         'smooth:Smooth a polygon by a sequence of operators'
         'prove:Find the certificates of statements'
         'verify:Check certificates in exact arithmetic, without searching'
-        'list:Name the schemes, the claims, the objectives'
+        'list:Name the schemes, the claims, the objectives, the definitions'
         'completion:Print a script that teaches a shell verbs, options and values'
         'manual:Print the manual page'
       )
@@ -58,14 +59,16 @@ _subdivlab() {
         reproduce)
           _arguments \
             '(--help -h)'{--help,-h}'[Print this help message and exit]' \
-            '(--out -o)'{--out,-o}'[The results folder to write]:DIR:_files -/' \
+            '--claims[Claims of your own, a JSON file, instead of those of the papers; --out is required then]:FILE.json:_files' \
+            '(--out -o)'{--out,-o}'[The results folder to write (default\: results)]:DIR:_files -/' \
             '(--jobs -j)'{--jobs,-j}'[Experiments that run at the same time (default\: one a processor)]:N: ' \
             '*:PATTERN:_subdivlab_claims'
           ;;
         check)
           _arguments \
             '(--help -h)'{--help,-h}'[Print this help message and exit]' \
-            '--against[The results folder to compare with]:DIR:_files -/' \
+            '--claims[Claims of your own, a JSON file, instead of those of the papers; --against is required then]:FILE.json:_files' \
+            '--against[The results folder to compare with (default\: results)]:DIR:_files -/' \
             '(--jobs -j)'{--jobs,-j}'[Experiments that run at the same time (default\: one a processor)]:N: ' \
             '*:PATTERN:_subdivlab_claims'
           ;;
@@ -94,6 +97,13 @@ _subdivlab() {
             '--continuity[C^M\: the differences of order M + 1 decide]:M: ' \
             '--budget[Time; what is left then is undecided]:SECONDS: ' \
             '--json[Machine-readable output; numbers are strings]' \
+            ':SCHEME:_subdivlab_schemes curve'
+          ;;
+        plot)
+          _arguments \
+            '(--help -h)'{--help,-h}'[Print this help message and exit]' \
+            '--over[Draw the Hoelder exponent and the certified ranges over the free parameter]:s=LO..HI: ' \
+            '(--out -o)'{--out,-o}'[A .svg file; - for standard output]:FIGURE.svg:_files' \
             ':SCHEME:_subdivlab_schemes curve'
           ;;
         eigen)
@@ -177,13 +187,13 @@ _subdivlab() {
             '(--help -h)'{--help,-h}'[Print this help message and exit]' \
             '--print-statement[Say in words what each one proves]' \
             '--missing[List the exact or certified claims that have no certificate]' \
-            ':PATH: '
+            ':PATH:_files'
           ;;
         list)
           _arguments \
             '(--help -h)'{--help,-h}'[Print this help message and exit]' \
             '--json[Machine-readable output]' \
-            ':WHAT:(schemes claims objectives)'
+            ':WHAT:(schemes claims objectives definitions)'
           ;;
         completion)
           _arguments \
