@@ -338,10 +338,13 @@ def keys(value):
 
 class Schemas(unittest.TestCase):
     def test_they_are_schemas(self):
-        for name, schema in SCHEMAS.items():
-            with self.subTest(name):
+        for path in sorted(ROOT.glob("experiments/docs/*.schema.json")):
+            with self.subTest(path.name):
+                schema = json.loads(path.read_text())
                 Draft202012Validator.check_schema(schema)
-                self.assertEqual(schema["$id"], f"urn:subdivlab:{name}")
+                self.assertIn("description", schema)
+        for name, schema in SCHEMAS.items():
+            self.assertEqual(schema["$id"], f"urn:subdivlab:{name}")
 
 
 if __name__ == "__main__":
