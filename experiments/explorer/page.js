@@ -77,6 +77,7 @@ const request = (s) => {
 let lastKind = "";
 let lastTime = 0;
 const remember = (kind) => {
+  complaint = "";
   const now = Date.now();
   if (!kind || kind !== lastKind || now - lastTime > 800) {
     past.push(copy(state));
@@ -295,7 +296,8 @@ const nearestEdge = ([x, y]) => {
 };
 
 plane.addEventListener("dblclick", (event) => {
-  const i = indexOf(event.target);
+  // The plane has captured the pointer: the event names the plane, also over a point.
+  const i = indexOf(document.elementFromPoint(event.clientX, event.clientY) ?? plane);
   if (i >= 0) return removePoint(i);
   const place = picturePlace(event);
   insertAfter(nearestEdge(place), place);
@@ -487,6 +489,7 @@ let reply = null;
 let xs = [];
 let ys = [];
 
+let complaint = "";  // of an address that names no curve, until something is changed
 const setFailure = (text) => {
   $("failure").hidden = !text;
   $("failure").textContent = text;
@@ -503,7 +506,7 @@ const draw = (withLimit) => {
     reply = null;
     return;
   }
-  setFailure("");
+  setFailure(complaint);
   reply = answer;
   xs = core.array(0);
   ys = core.array(1);
@@ -705,6 +708,7 @@ const listen = () => {
   });
   addEventListener("hashchange", () => {
     const linkedState = takeHash();
+    if (!linkedState) setFailure(complaint);
     if (!linkedState || toHash(linkedState) === toHash(state)) return;
     remember("");
     state = linkedState;
@@ -719,7 +723,7 @@ const takeHash = () => {
   if (!wanted) return null;
   const answer = core.evaluate(request(wanted), 0);
   if (!answer.error) return wanted;
-  setFailure("The address of this page names no curve: " + answer.error);
+  complaint = "The address of this page names no curve: " + answer.error;
   return null;
 };
 
