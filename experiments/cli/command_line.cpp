@@ -465,7 +465,7 @@ struct CommandLine {
     auto& options = verify_options;
     CLI::App& verb =
         *app.add_subcommand("verify", "Check certificates in exact arithmetic, without searching");
-    verb.add_option("PATH", options.path, "A folder of certificates, or one of them")->capture_default_str();
+    verb.add_option("PATH", options.paths, "Folders of certificates, or single ones")->capture_default_str();
     verb.add_flag("--print-statement", options.print_statement, "Say in words what each one proves");
     verb.add_flag("--missing", options.missing,
                   "List the exact or certified claims that have no certificate");

@@ -153,7 +153,7 @@ struct ProveOptions {
 [[nodiscard]] int prove(const ProveOptions& options);
 
 struct VerifyOptions {
-  std::string path = "results/certificates";  // a folder or a file
+  std::vector<std::string> paths{"results/certificates"};  // folders and files
   bool print_statement = false;
   bool missing = false;  // list the claims without certificate
 };

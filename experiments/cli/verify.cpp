@@ -40,44 +40,51 @@ std::optional<std::map<std::string, ClaimRecord>> claims_beside(const fs::path& 
 }  // namespace
 
 int verify(const VerifyOptions& options) {
-  const fs::path place = options.path;
-  std::error_code ignored;
-  const bool is_folder = fs::is_directory(place, ignored);
-  if (!is_folder && !fs::exists(place, ignored)) {
-    throw InputError(place.string() +
-                     ": there is no such folder or file; 'subdivlab reproduce' writes results/certificates");
-  }
-  auto claims = claims_beside(is_folder ? place : place.parent_path());
   int proved = 0;
   int rejected = 0;
-  for (const fs::path& file : is_folder ? certificates_in(place) : std::vector<fs::path>{place}) {
-    try {
-      const verifier::Certificate certificate = verifier::parse_certificate(read_file(file));
-      verifier::need(certificate.claim == file.stem().string(), "the file is named after another claim");
-      const verifier::Context context = verifier::check(certificate, data_folder());
-      if (claims) {
-        const auto claim = claims->find(certificate.claim);
-        verifier::need(claim != claims->end(), "claims.json has no such claim");
-        verifier::check_claim_value(context.values, context.ranges,
-                                    {claim->second.exact, claim->second.lower, claim->second.upper});
-        claims->erase(claim);
-      }
-      ++proved;
-      if (options.print_statement) std::cout << verifier::in_words(certificate) << "\n";
-    } catch (const verifier::Rejected& error) {
-      ++rejected;
-      std::cerr << "subdivlab: " << file.string() << ": rejected: " << error.what() << "\n";
+  for (const std::string& path : options.paths) {
+    const fs::path place = path;
+    std::error_code ignored;
+    const bool is_folder = fs::is_directory(place, ignored);
+    if (!is_folder && !fs::exists(place, ignored)) {
+      throw InputError(
+          place.string() +
+          ": there is no such folder or file; 'subdivlab reproduce' writes results/certificates");
     }
-  }
-  std::cout << proved << " certificates proved, " << rejected << " rejected\n";
-  if (is_folder && claims) {
+    auto claims = is_folder ? claims_beside(place) : std::nullopt;
+    for (const fs::path& file : is_folder ? certificates_in(place) : std::vector<fs::path>{place}) {
+      try {
+        const verifier::Certificate certificate = verifier::parse_certificate(read_file(file));
+        verifier::need(!is_folder || certificate.claim == file.stem().string(),
+                       "the file is named after another claim");
+        const verifier::Context context = verifier::check(certificate, data_folder());
+        if (claims) {
+          const auto claim = claims->find(certificate.claim);
+          verifier::need(claim != claims->end(), "claims.json has no such claim");
+          verifier::check_claim_value(context.values, context.ranges,
+                                      {claim->second.exact, claim->second.lower, claim->second.upper});
+          claims->erase(claim);
+        }
+        ++proved;
+        if (options.print_statement) {
+          std::cout << verifier::in_words(certificate) << "\n";
+        } else if (!is_folder) {
+          std::cout << file.string() << ": proved\n";
+        }
+      } catch (const verifier::Rejected& error) {
+        ++rejected;
+        std::cerr << "subdivlab: " << file.string() << ": rejected: " << error.what() << "\n";
+      }
+    }
+    if (!claims) continue;
     std::erase_if(*claims, [](const auto& entry) { return !wants_certificate(entry.second); });
-    std::cout << claims->size() << " exact or certified claims have none"
-              << (options.missing || claims->empty() ? "" : " (--missing lists them)") << "\n";
+    std::cout << claims->size() << " exact or certified claims have no certificate"
+              << (options.missing || claims->empty() ? "\n" : " (--missing lists them)\n");
     if (options.missing) {
       for (const auto& [id, record] : *claims) std::cout << id << "\n";
     }
   }
+  std::cout << proved << " certificates proved, " << rejected << " rejected\n";
   return rejected > 0 ? ExitCode::differs : ExitCode::done;
 }
 
