@@ -72,9 +72,9 @@ void add_one_parameter(Results& results) {
        {"s", "largest difference"},
        {{to_significant(s.minimiser[0].midpoint(), digits), to_significant(s.minimum.midpoint(), digits)}}});
   results.figures.push_back({"area-objective-s",
-                             "How far the area mask of *J_s is from the polygon's",
+                             "How far the area mask m of *J_s is from the polygon's, l",
                              "parameter s",
-                             "largest difference of entries, |m_k - l_k|",
+                             "largest |m_k - l_k|",
                              {{"area-objective-s", "s", "largest difference", "*J_s"},
                               {"area-optimum-s", "s", "largest difference", "optimum", style::points(1)}},
                              style::log_y,
@@ -139,11 +139,11 @@ void add_two_parameters(Results& results) {
   results.series.push_back(std::move(points));
   results.figures.push_back(
       {"area-rs-valley",
-       "How far the area mask of {J_r, *J_s} is from the polygon's, and the printed pairs (r, s)",
+       "How far the area mask m of {J_r, *J_s}, r the best, is from the polygon's, l",
        "parameter s",
-       "largest difference of entries, |m_k - l_k|",
+       "largest |m_k - l_k|",
        {{"area-rs-valley", "s", "largest difference", "{J_r, *J_s}, best r"},
-        {"area-rs-points", "s", "largest difference", "optimum; printed pairs", style::points(1)}},
+        {"area-rs-points", "s", "largest difference", "optimum, and printed pairs (r, s)", style::points(1)}},
        style::log_y,
        {"area.rs."}});
 }
@@ -167,10 +167,8 @@ void add_mask_figure(Results& results) {
   };
   Series series{"area-masks", {"k"}, {}};
   Series differences{"area-mask-differences", {"k"}, {}};
-  Figure figure{"area-masks", "Area masks of schemes and of the polygon",
-                "entry k",    "m_k (share of the cross product of points k apart)",
-                {},           "set xrange [-5.5:5.5]; set xtics 1",
-                {"area.mask"}};
+  Figure figure{"area-masks", "Area masks of schemes and of the polygon", "entry k",    "weight m_k",
+                {},           "set xrange [-5.5:5.5]; set xtics 1",       {"area.mask"}};
   Figure difference_figure{"area-mask-differences",
                            "Area masks of recommended schemes minus the polygon's",
                            "entry k",

@@ -276,7 +276,7 @@ void add_figures(const Points& witness, Results& results) {
   results.figures.push_back({"area-error-witness",
                              "Relative area error on the heptagon; the printed numbers read as fractions",
                              "parameter s or r",
-                             "error E (fraction of the polygon's area)",
+                             "error (share of the area)",
                              {{"area-error-witness", "parameter", "*J_s", "*J_s"},
                               {"area-error-witness", "parameter", "{J_r, *J_1.5}", "{J_r, *J_1.5}"},
                               {"area-error-printed", "parameter", "E", "printed", style::points(5)}},

@@ -195,7 +195,7 @@ void add_curves(Results& results, const std::string& name, const Rational& s, in
   results.series.push_back(std::move(series));
   results.figures.push_back({name,
                              fmt::format("Basis function of {} and the B-spline of degree {}", label, degree),
-                             "parameter t (spans of the control polygon)",
+                             "parameter t (in spans of the curve)",
                              "weight of the control point",
                              {{name, "t", "target", fmt::format("B_{}", degree), style::target},
                               {name, "t", "phi", label, style::curve(0, 1.5)},
@@ -243,7 +243,7 @@ void add_objectives(Results& results, const Claim& best_l1, const Claim& best_li
   results.figures.push_back({"fit-b2-objective",
                              "How far *J_s (level 8) is from the quadratic B-spline; points: the optima",
                              "parameter s",
-                             "distance of basis functions (weights)",
+                             "distance of weights",
                              {{"fit-b2-objective", "s", "l1", "L^1 (area between)"},
                               {"fit-b2-objective", "s", "linf", "L^{∞} (largest)"},
                               {"fit-b2-optimum-l1", "s", "l1", "", style::points(0)},

@@ -445,8 +445,8 @@ void add_split_figure(Results& results) {
                              {"", between, false, style::polygon},
                              {"", first, false, style::in_colour(style::vermilion, 1.2)},
                              {"", second, false, style::in_colour(style::green, 1.2)},
-                             {"", smooth_curve(first), false, style::curve(1, 3)},
-                             {"", smooth_curve(second), false, style::curve(2, 3)},
+                             {"", smooth_curve(first), false, style::in_colour(style::vermilion, 3)},
+                             {"", smooth_curve(second), false, style::in_colour(style::green, 3)},
                              dots(between),
                              dots(first),
                              dots(second)}});

@@ -60,9 +60,10 @@ void add_drawing(Results& results, const Drawing& drawing) {
   const double width = extent.right - extent.left;
   const double height = extent.top - extent.bottom;
   const std::size_t count = drawing.panels.size();
+  constexpr double caption_character = 8;  // most have indices
   double widest = 0;
   for (const Panel& panel : drawing.panels)
-    widest = std::max(widest, style::character_width * static_cast<double>(plain_text(panel.caption).size()));
+    widest = std::max(widest, caption_character * static_cast<double>(plain_text(panel.caption).size()));
   const auto fitting = static_cast<std::size_t>(style::canvas_width / std::max(widest + between, 1.0));
   const std::size_t columns_at_most = std::clamp<std::size_t>(fitting, 1, most_in_row);
   const std::size_t rows = (count + columns_at_most - 1) / columns_at_most;

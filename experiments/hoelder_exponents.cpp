@@ -219,11 +219,11 @@ void add_figures(Results& results) {
        {{"smooth-exponent", "s", "exponent", "exponent"},
         {"smooth-exponent-points", "s", "exponent", "", style::points(0, 0.5)},
         {"smooth-ranges", "s", "exact", "C^m exactly", style::in_colour(style::black, 4)},
-        {"smooth-ranges", "s", "printed", "printed", style::marked(1)},
-        {"smooth-ranges", "s", "k=20", "power 20", style::marked(2)},
-        {"smooth-ranges", "s", "k=10", "power 10", style::marked(6)},
-        {"smooth-ranges", "s", "k=5", "power 5", style::marked(4)},
-        {"smooth-ranges", "s", "k=1", "power 1", style::marked(3)}},
+        {"smooth-ranges", "s", "printed", "printed", style::marked(1, 0.3)},
+        {"smooth-ranges", "s", "k=20", "power 20", style::marked(2, 0.3)},
+        {"smooth-ranges", "s", "k=10", "power 10", style::marked(6, 0.3)},
+        {"smooth-ranges", "s", "k=5", "power 5", style::marked(4, 0.3)},
+        {"smooth-ranges", "s", "k=1", "power 1", style::marked(3, 0.3)}},
        "set xrange [-6.5:10.5]; set yrange [-0.8:5.3]; set xtics 2; set ytics 1",
        {"smooth.exact.", "smooth.sufficient.", "smooth.necessary.", "smooth.exponent."}});
   results.figures.push_back(

@@ -224,7 +224,7 @@ void add_drift(Results& results) {
   results.figures.push_back({"drift",
                              "How far limit points of *J_s lie from their vertices at most",
                              "parameter s",
-                             "distance (in the largest second difference of the polygon)",
+                             "distance (second differences)",
                              {{"drift", "s", "drift", ""}},
                              "set yrange [0:*]; set ytics 0.05",
                              {"drift"}});

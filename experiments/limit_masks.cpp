@@ -267,11 +267,11 @@ void add_rates(Results& results) {
   results.figures.push_back({"retrofit-rate",
                              "Factor by which one retrofitting step for *J_s reduces the error",
                              "parameter s",
-                             "factor a step (spectral radius)",
-                             {{"retrofit-rate", "s", "infinite", "even loops, infinite"},
-                              {"retrofit-rate", "s", "n=3", "loop of 3 points"},
-                              {"retrofit-rate", "s", "n=5", "loop of 5 points"},
-                              {"retrofit-rate", "s", "n=7", "loop of 7 points"}},
+                             "factor of a step",
+                             {{"retrofit-rate", "s", "infinite", "infinite, even"},
+                              {"retrofit-rate", "s", "n=3", "loop of 3"},
+                              {"retrofit-rate", "s", "n=5", "loop of 5"},
+                              {"retrofit-rate", "s", "n=7", "loop of 7"}},
                              "set yrange [0:1.4]; " + style::across("1"),
                              {"retrofit."}});
 }

@@ -141,7 +141,7 @@ Rational volume(const ExactMesh& mesh) {
 
 void add_handles(Results& results) {
   constexpr double cell = 230;
-  constexpr double row_height = 150;
+  constexpr double row_height = 175;
   constexpr double scale = 20;
   const ExactMesh mesh = exact_mesh(stored("mesh-handles.obj"));
   std::vector<Curve> curves;
@@ -155,8 +155,8 @@ void add_handles(Results& results) {
     add_quads(series, drawn_faces(shape), true,
               {view_from({2, -5, 4}), scale, {column * cell, -row * row_height}}, Paint::shaded, colour);
     curves.push_back(filled(series));
+    captions.push_back(caption_below(series, caption));
     results.series.push_back(std::move(series));
-    captions.push_back({caption, column * cell, -row * row_height - 0.55 * row_height});
   };
   draw("control", "control mesh", mesh, 0, style::lit_grey);
   const int count = characteristic(mesh.topology);

@@ -63,8 +63,8 @@ void add_figure(Results& results, std::vector<std::pair<std::string, std::vector
   Series series{"area-usually", {"share"}, {}};
   Figure figure{"area-usually",
                 "Area errors on simple polygons",
-                "error (fraction of the polygon's area)",
-                "share of polygons with a smaller error",
+                "error of the area (fraction of the polygon's)",
+                "share of polygons below",
                 {},
                 style::log_x + "set yrange [0:1]",
                 {"family.area-usually.", "family.area-usually", "area.tendency."}};

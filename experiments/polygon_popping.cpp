@@ -129,7 +129,7 @@ void add_figure(Results& results) {
   Figure figure{"popping-fixed",
                 "How far a new level of *J_s moves simple polygons (dashed: s = 3/8)",
                 "parameter s",
-                "mean distance (mean edges of the polygon)",
+                "mean distance (mean edges)",
                 {},
                 style::log_y + style::upright("0.375"),
                 {"popping.fixed.", "popping.fixed"}};

@@ -161,11 +161,11 @@ void add_curvature_figure(Results& results) {
   Series table_of{name, {"step"}, {}};
   Figure figure{
       name,
-      "Errors of curvatures of known curves, by circle (points) and by parabola (lines)",
+      "Errors of curvatures, by the circle (points) and by the parabola (lines) through three points",
       "step h of the parameter",
-      "error of the curvature (1 / unit of the curve)",
+      "error (1 / unit)",
       {},
-      style::log_x + style::log_y,
+      style::log_x + style::log_y + "set ytics 100",
       {"figure.polyloops.curvature", "polyloops.radius.circle.order", "polyloops.radius.parabola.order",
        "polyloops.radius.circle.uneven", "polyloops.radius.parabola.uneven"}};
   const std::vector<Known> curves = known_curves();
@@ -179,8 +179,11 @@ void add_curvature_figure(Results& results) {
       const bool exactly = even && curve == way;  // the error is 0
       const bool shown = even || curve == "ellipse";
       if (!shown || exactly || (curve == "circle" && by_circle)) continue;
+      // One name a curve: how its curvature is found is told by points and lines.
+      const bool named = by_circle ? curve == "parabola" : even;
+      const std::string label = named ? curve : (even || by_circle ? "" : curve + ", uneven");
       figure.curves.push_back(
-          {name, "step", column, column,
+          {name, "step", column, label,
            by_circle ? style::points(even ? i : 5, 0.5) : style::curve(even ? i : 5, 1.5)});
     }
   }

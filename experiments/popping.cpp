@@ -147,7 +147,7 @@ void add_figures(Results& results, const std::vector<PoppingLevel>& schedule, co
       {"popping-disparity",
        "How far the change to level k moves points when one control point is moved by 1",
        "level k",
-       "largest distance (moves of the control point)",
+       "distance (moves of the point)",
        {{"popping-schedule", "level", "disparity", "", style::marked(0)}},
        style::log_y,
        {"popping.schedule.", "popping.change"}});

@@ -226,7 +226,8 @@ void add_ranges(Results& results) {
   const bool abstract_c2 = second.lower.sharp && second.lower.value.upper <= Rational(0) &&
                            second.contains(Rational(1)) && second.contains(Rational(1, 2));
   results.claims.push_back(settle_statement(head(table, "smooth.abstract.c2"), abstract_c2, "true",
-                                            "C2 holds on the larger range 0 < s < 4."));
+                                            "C2 holds on the larger range 0 < s < 4, and on no larger one "
+                                            "(smooth.exact.c2.lower, smooth.exact.c2.upper)."));
 
   Series series{"certified-interval",
                 {"k", "C1 lower", "C1 upper", "C2 lower", "C2 upper", "C3 lower", "C3 upper"},
@@ -275,7 +276,9 @@ void add_norms(Results& results) {
                 {"smooth.sufficient."}};
   for (const auto& [label, where] : curves) {
     series.columns.push_back(label);
-    figure.curves.push_back({series.name, "k", label, label, style::marked(figure.curves.size())});
+    figure.curves.push_back({series.name, "k", label,
+                             fmt::format("C^{}, s = {}", where.second, to_decimal(where.first, 2)),
+                             style::marked(figure.curves.size())});
   }
   for (int k = 1; k <= largest_power; ++k) {
     std::vector<std::string> row{std::to_string(k)};

@@ -244,7 +244,7 @@ void add_area_figure(Results& results, const std::vector<RadiusMap>& maps) {
   results.figures.push_back({"smooth-map-area",
                              "What is left undecided in the maps of *J_{a,b} as their cells shrink",
                              "halvings of the cells",
-                             "area (units of the (a, b) plane)",
+                             "area in the (a, b) plane",
                              {{"smooth-map-area", "depth", "C0 undecided", "C^0, of 357", style::marked(0)},
                               {"smooth-map-area", "depth", "C1 undecided", "C^1, of 165", style::marked(1)}},
                              "set logscale y; set xtics 1",

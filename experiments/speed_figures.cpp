@@ -140,9 +140,9 @@ void add_univariate(Results& results) {
   }
   results.claims.push_back(settle_statement(head(table, "figure.speed.2"), same, "the same seven points"));
 
-  constexpr double right = 7.4;
-  constexpr double refined_up = -2.4;
-  constexpr double knots_up = -3.4;
+  constexpr double right = 8.2;
+  constexpr double refined_up = -2.7;
+  constexpr double knots_up = -4.1;
   PlaneDiagram diagram(
       "speed-univariate",
       "Uniform and adjustable speed in one variable (eon: extraordinary node; speed figure 2)");
@@ -163,7 +163,7 @@ void add_univariate(Results& results) {
     for (const NamedSpot& dot : unnamed(before)) old_dots.push_back(dot);
     for (const NamedSpot& dot : unnamed(after)) new_dots.push_back(dot);
     nodes.push_back({"eon", before[2]});
-    nodes.push_back({"eon", after[3]});
+    nodes.push_back({"", after[3]});
   }
   std::vector<std::vector<Rational>> uniform_levels;
   std::vector<std::vector<Rational>> speed_levels;
@@ -184,7 +184,7 @@ void add_univariate(Results& results) {
   diagram.add_lines("refined", new_lines, style::thick);
   diagram.add_dots("points", old_dots, style::dot);
   diagram.add_dots("refined-points", new_dots, style::dot);
-  diagram.add_dots("nodes", nodes, style::bright_dot, {0, -1.5});
+  diagram.add_dots("nodes", nodes, style::bright_dot, {0, -0.8});
   diagram.add_lines("knots-uniform", knot_ticks(uniform_levels, 0, knots_up), style::line);
   diagram.add_lines("knots-speed", knot_ticks(speed_levels, right, knots_up), style::line);
   constexpr double caption = 2.1;

@@ -117,9 +117,9 @@ void add_speed_indices(Results& results, std::span<const ClaimHead> heads) {
 
   PlaneDiagram diagram("speed-indices", "Indices ij of the net, and k of the refined one");
   const Spot left{0, 0};
-  const Spot right{8.2, 0};
+  const Spot right{8.6, 0};
   constexpr double unit = 1.15;
-  constexpr double fine_unit = 0.77;
+  constexpr double fine_unit = 0.95;
   std::vector<NamedSpot> numbers;
   constexpr int count = 13;
   for (int k = 1; k <= count; ++k) {
@@ -133,8 +133,8 @@ void add_speed_indices(Results& results, std::span<const ClaimHead> heads) {
   diagram.add_lines("refined-sector", net_lines(right, 1, 3, fine_unit), style::line);
   diagram.add_dots("labels", labelled_net(left, unit), style::dot);
   diagram.add_dots("numbers", numbers, style::dot);
-  diagram.add_text("net p, labels ij", {left.x, -3.5});
-  diagram.add_text("refined net, numbers k", {right.x, -3.5});
+  diagram.add_text("net p, labels ij", {left.x, -4.6});
+  diagram.add_text("refined net, numbers k", {right.x, -4.6});
   diagram.add_to(results, {"figure.speed.5"});
 }
 

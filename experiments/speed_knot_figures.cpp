@@ -96,9 +96,9 @@ void draw_derivation(Results& results, const BezierPatch<SymbolicPoint>& border,
   for (std::size_t panel = 0; panel < captions.size(); ++panel)
     diagram.add_text(captions.at(panel), origins.at(panel) + Spot{size / 2, below});
 
-  const Spot star{10.2, 1.6};  // the vertex's rule
+  const Spot star{10.4, 1.2};  // the vertex's rule
   constexpr double edge = 1.05;
-  constexpr double outside = 1.28;
+  constexpr double outside = 1.4;
   std::vector<Line> faces;
   std::vector<NamedSpot> dots{{"", star}};
   for (int k = 0; k < drawn_valence; ++k) {
@@ -112,7 +112,7 @@ void draw_derivation(Results& results, const BezierPatch<SymbolicPoint>& border,
   diagram.add_text("α", in_sector(star, 0, 0.28, 0.28));
   diagram.add_lines("faces", faces, style::line);
   diagram.add_dots("rule", dots, style::dot);
-  diagram.add_text("rule of the vertex", {star.x, below});
+  diagram.add_text("rule of the vertex", {star.x, below - 0.8});
   diagram.add_to(results, {"figure.speed.4"});
 }
 

@@ -1,5 +1,6 @@
 #include "experiments/speed_spectrum.h"
 
+#include <algorithm>
 #include <array>
 #include <stdexcept>
 #include <string>
@@ -314,7 +315,8 @@ void add_figure(Results& results) {
       if (label.starts_with(name)) label.replace(0, std::string_view(name).size(), letter);
     }
     figure.curves.push_back({"speed-lambda", "sigma", series.columns[k], label,
-                             k > valences.size() ? style::curve(k, 1.3) : style::curve(k - 1)});
+                             k == valences.size() + 1 ? style::in_colour(style::black, 1.2)
+                                                      : style::curve(std::min<std::size_t>(k - 1, 6))});
   }
   results.series.push_back(std::move(series));
   results.figures.push_back(std::move(figure));

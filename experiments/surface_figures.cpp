@@ -73,8 +73,8 @@ void add_torus(Results& results) {
                                         "A torus from 4 rows of 4 control points, *J_1 (js-report figure 15)",
                                         {filled(quads), drawn(rows, "rows", style::curve(2, 1.5)),
                                          drawn(trajectories, "trajectories", style::curve(1, 1.5)),
-                                         drawn(moving, "moving control points", style::polygon),
-                                         drawn(transversals, "transversal curves", style::curve(0, 1.5))},
+                                         drawn(moving, "moving points", style::polygon),
+                                         drawn(transversals, "transversals", style::curve(0, 1.5))},
                                         {}, {"ringing.rings", "ringing.minimum-input.torus"}));
   for (Series* series : {&rows, &trajectories, &moving, &transversals, &quads})
     results.series.push_back(std::move(*series));
@@ -85,6 +85,7 @@ void add_rows(Results& results) {
   constexpr int depth = 3;
   constexpr double row_height = 125;
   constexpr double scale = 9;
+  constexpr double captions_at = -2.6 * row_height;
   const std::vector<std::string> files{"surface-rows-3", "surface-torus", "surface-rows-6"};
   std::vector<Curve> curves;
   for (std::size_t i = 0; i < files.size(); ++i) {
@@ -100,9 +101,13 @@ void add_rows(Results& results) {
     curves.push_back(filled(series));
     results.series.push_back(std::move(series));
   }
-  results.figures.push_back(bare_figure(
-      "surface-rows", "3, 4 and 6 rows: control mesh, *J_1 and {J_{-33/26}, *J_{3/2}} (js-report figure 15)",
-      std::move(curves), {}, {"ringing.rings", "ringing.minimum-input.torus"}));
+  results.figures.push_back(
+      bare_figure("surface-rows", "Surfaces from 3, 4 and 6 rows of control points (js-report figure 15)",
+                  std::move(curves),
+                  {{"control mesh", 0, captions_at},
+                   {"*J_1", cell, captions_at},
+                   {"{J_{-33/26}, *J_{3/2}}", 2 * cell, captions_at}},
+                  {"ringing.rings", "ringing.minimum-input.torus"}));
 }
 
 /// Figure 16: one grid closed, with one border, and its quads.
@@ -111,6 +116,7 @@ void add_borders(Results& results) {
   constexpr double row_height = 130;
   constexpr double scale = 9.5;
   const DoubleGrid closed = grid_of("surface-borders.csv");
+  std::vector<FigureText> texts;
   std::vector<Curve> curves;
   const auto surface = [&](const std::string& name, const DoubleGrid& grid, double s, int steps, bool border,
                            const Placement& placement, Paint paint, unsigned colour) {
@@ -132,13 +138,13 @@ void add_borders(Results& results) {
     if (i == 0)
       surface("open-control", open, value, 0, true, panel(0, 1, row_height, scale), Paint::chequered, grey);
     surface("closed-" + name, closed, value, depth, false, place(0), Paint::shaded, gold);
+    texts.push_back(caption_above(results.series.back(), "*J_{" + shapes[i].second.to_string() + "}"));
     surface("open-" + name, open, value, depth, true, place(1), Paint::shaded, blue);
     surface("quads-" + name, open, value, depth - 1, true, place(2), Paint::chequered, blue);
   }
   results.figures.push_back(bare_figure(
-      "surface-borders",
-      "3 rows of 5 points: *J_0, *J_{1/2}, *J_{3/2}; closed, one border, quads (js-report figure 16)",
-      std::move(curves), {}, {"ringing.borders."}));
+      "surface-borders", "3 rows of 5 points: closed, with a border, its quads (js-report figure 16)",
+      std::move(curves), std::move(texts), {"ringing.borders."}));
 }
 
 /// Figure 11, below: consecutive levels painted over each other.
@@ -148,6 +154,7 @@ void add_silhouettes(Results& results) {
   constexpr unsigned current = style::lit_orange;
   constexpr int depth = 2;
   const DoubleGrid grid = grid_of("surface-torus.csv");
+  std::vector<FigureText> texts;
   std::vector<Curve> curves;
   double column = 0;
   for (const auto& [name, s] : {std::pair("0", 0.0), std::pair("3-8", 0.375), std::pair("1", 1.0)}) {
@@ -161,12 +168,13 @@ void add_silhouettes(Results& results) {
     paint(depth - 1, previous);
     if (s >= 1) paint(depth, current);
     curves.push_back(filled(series));
+    texts.push_back(caption_below(series, "J_{" + Rational::from_double(s).to_string() + "}"));
     results.series.push_back(std::move(series));
     ++column;
   }
-  results.figures.push_back(bare_figure(
-      "surface-silhouettes", "Levels 1 (dark) and 2 (light): J_0, J_{3/8}, J_1 (js-report figure 11)",
-      std::move(curves), {}, {"popping.silhouettes", "popping.silhouettes.s"}));
+  results.figures.push_back(
+      bare_figure("surface-silhouettes", "Silhouettes of levels 1 (dark) and 2 (light) (js-report figure 11)",
+                  std::move(curves), std::move(texts), {"popping.silhouettes", "popping.silhouettes.s"}));
 }
 
 }  // namespace

@@ -47,6 +47,15 @@ double lit(const View& view, const Vector3d& facing) {
   return length == 0 ? ambient : ambient + (1 - ambient) * std::max(0.0, facing.dot(light) / length);
 }
 
+Eigen::AlignedBox2d extent_of(const Series& series) {
+  Eigen::AlignedBox2d box;
+  for (const std::vector<std::string>& row : series.rows) {
+    if (!row[0].empty())
+      box.extend(Vector2d(Rational::parse(row[0]).to_double(), Rational::parse(row[1]).to_double()));
+  }
+  return box;
+}
+
 }  // namespace
 
 std::vector<SpaceQuad> space_quads(const DoubleGrid& grid, const Scheme<double>& scheme, int depth) {
@@ -106,6 +115,16 @@ void add_line(Series& series, const std::vector<Vector3d>& points, bool closed, 
 
 Curve drawn(const Series& series, std::string label, std::string style) {
   return {series.name, "x", "y", std::move(label), std::move(style), {}};
+}
+
+FigureText caption_below(const Series& series, std::string text, double gap) {
+  const Eigen::AlignedBox2d box = extent_of(series);
+  return {std::move(text), box.center().x(), box.min().y() - gap};
+}
+
+FigureText caption_above(const Series& series, std::string text, double gap) {
+  const Eigen::AlignedBox2d box = extent_of(series);
+  return {std::move(text), box.center().x(), box.max().y() + gap};
 }
 
 Figure bare_figure(std::string name, std::string title, std::vector<Curve> curves,

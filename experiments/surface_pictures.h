@@ -50,6 +50,10 @@ void add_line(Series& series, const std::vector<Eigen::Vector3d>& points, bool c
               const Placement& placement);
 [[nodiscard]] Curve drawn(const Series& series, std::string label, std::string style);
 
+/// A caption centred below (or above) what a series draws.
+[[nodiscard]] FigureText caption_below(const Series& series, std::string text, double gap = 14);
+[[nodiscard]] FigureText caption_above(const Series& series, std::string text, double gap = 14);
+
 /// A picture: no axes, both directions in one scale. `claims` as in Figure.
 [[nodiscard]] Figure bare_figure(std::string name, std::string title, std::vector<Curve> curves,
                                  std::vector<FigureText> texts, std::vector<std::string> claims);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -83,22 +84,48 @@ std::size_t characters_in(double width) {
   return static_cast<std::size_t>(std::floor(width / style::character_width));
 }
 
-constexpr std::size_t title_characters = 50;
+double height_of_lines(std::size_t lines) { return style::line_height * static_cast<double>(lines); }
 
-double title_height(const Figure& figure) {
-  return style::line_height * static_cast<double>(wrapped(figure.title, title_characters).size());
-}
+/// The title in lines, centred on the canvas.
+struct Title {
+  std::vector<std::string> lines;
+
+  static constexpr double edge = 7;
+  [[nodiscard]] double height() const { return height_of_lines(lines.size()) + 2 * edge; }
+  [[nodiscard]] std::string commands(double canvas) const {
+    std::string text;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      const double below = edge + height_of_lines(i) + style::line_height / 2;
+      text += fmt::format("set label {} at screen 0.5, screen {:.6f} center\n", gnuplot_text(lines[i]),
+                          1 - below / canvas);
+    }
+    return text;
+  }
+};
 
 /// The key below the figure, in as many columns as have room.
 struct Key {
   std::size_t columns = 0;
   std::size_t rows = 0;
 
-  [[nodiscard]] double height() const { return style::line_height * static_cast<double>(rows); }
+  static constexpr double line_height = 22.5;  // gnuplot's, for its font size
+  static constexpr double edge = 7;
+  [[nodiscard]] double height() const {
+    return rows == 0 ? 0 : line_height * static_cast<double>(rows) + 2 * edge;
+  }
+  [[nodiscard]] std::string commands(double canvas) const {
+    if (rows == 0) return "unset key\n";
+    return fmt::format(
+        "set key at screen 0.5, screen {:.6f} center bottom horizontal Left reverse samplen 2.5 width 0 "
+        "height 0 "
+        "maxcols {}\n",
+        edge / canvas, columns);
+  }
 };
 
 Key key_of(const Figure& figure) {
-  constexpr double sample = 50;  // with the space about it
+  const double room = figure.picture ? 460 : 360;  // gnuplot fits columns into the axes
+  constexpr double sample = 50;                    // with the space about it
   double widest = 0;
   std::size_t count = 0;
   for (const Curve& curve : figure.curves) {
@@ -107,7 +134,7 @@ Key key_of(const Figure& figure) {
     ++count;
   }
   if (count == 0) return {};
-  const auto most = std::max<std::size_t>(1, static_cast<std::size_t>(style::canvas_width / widest));
+  const auto most = std::max<std::size_t>(1, static_cast<std::size_t>(room / widest));
   const std::size_t rows = (count + most - 1) / most;
   return {(count + rows - 1) / rows, rows};
 }
@@ -145,64 +172,89 @@ Box extent_of(const Figure& figure, std::span<const Series> series) {
 constexpr double margin = 8;             // about a picture
 constexpr double tallest_picture = 400;  // without title and key
 
+/// How far a text stands from its point, in units of the canvas.
+std::pair<double, double> offset_of(const FigureText& text) {
+  constexpr double line = 22.5;  // gnuplot's height of a character
+  double right = 0;
+  double up = 0;
+  const std::size_t at = text.place.find("offset ");
+  if (at == std::string::npos ||
+      std::sscanf(text.place.c_str() + at, "offset %lf,%lf", &right, &up) != 2)  // NOLINT(cert-err34-c)
+    return {0, 0};
+  return {right * style::character_width, up * line};
+}
+
+std::string canvas_commands(double height) {
+  return fmt::format(
+      "set terminal svg size {},{:.0f} fixed font 'Helvetica,{}' enhanced background '#ffffff' name 'f'\n",
+      style::canvas_width, height, style::font_size);
+}
+
 /// Canvas and ranges of a picture: as wide as the canvas, or as high as pictures may be, names included.
-std::string picture_layout(const Figure& figure, std::span<const Series> series, const Key& key) {
+std::string picture_layout(const Figure& figure, std::span<const Series> series, const Title& title,
+                           const Key& key) {
   constexpr double room = style::canvas_width - 2 * margin;
+  constexpr double pen = 6;  // what lines and dots take beside their points
   const Box shapes = extent_of(figure, series);
   Box box = shapes;
   double scale = 0;                       // units of the canvas for one of the picture
   for (int pass = 0; pass < 4; ++pass) {  // the room that names take depends on the scale, and it on the room
     scale = std::min(room / (box.right - box.left), tallest_picture / (box.top - box.bottom));
     box = shapes;
+    box.extend(shapes.left, shapes.bottom, pen / scale, pen / scale);
+    box.extend(shapes.right, shapes.top, pen / scale, pen / scale);
     for (const FigureText& text : figure.texts) {
       const double width = (width_of(text.text) + 2 * style::character_width) / scale;
       const double middle = text.place.starts_with("left")    ? width / 2
                             : text.place.starts_with("right") ? -width / 2
                                                               : 0;
-      box.extend(text.x + middle, text.y, width / 2, style::line_height / 2 / scale);
+      const auto [right, up] = offset_of(text);
+      box.extend(text.x + middle + right / scale, text.y + up / scale, width / 2,
+                 style::line_height / 2 / scale);
     }
   }
-  const double height = std::ceil(scale * (box.top - box.bottom));
-  const double title = title_height(figure) + margin;
-  const double below = key.height() + 2 * margin;
-  const double canvas = title + margin + height + below;
+  const double below = key.height() + margin;
+  const double canvas = std::ceil(title.height() + scale * (box.top - box.bottom) + below);
+  const double height = canvas - title.height() - below;
   const double spare = (room / scale - (box.right - box.left)) / 2;
-  return fmt::format(
-      "set terminal svg size {},{:.0f} fixed font 'Helvetica,{}' enhanced background '#ffffff' name 'f'\n"
-      "unset border; unset tics\n"
-      "set lmargin at screen {:.6f}; set rmargin at screen {:.6f}\n"
-      "set bmargin at screen {:.6f}; set tmargin at screen {:.6f}\n"
-      "set xrange [{:.8g}:{:.8g}]; set yrange [{:.8g}:{:.8g}]\n"
-      "set key at screen 0.5, {:.6f} center bottom\n",
-      style::canvas_width, canvas, style::font_size, margin / style::canvas_width,
-      1 - margin / style::canvas_width, below / canvas, (below + height) / canvas, box.left - spare,
-      box.right + spare, box.bottom, box.bottom + height / scale, margin / 2 / canvas);
+  return canvas_commands(canvas) +
+         fmt::format(
+             "unset border; unset tics\n"
+             "set lmargin at screen {:.6f}; set rmargin at screen {:.6f}\n"
+             "set bmargin at screen {:.6f}; set tmargin at screen {:.6f}\n"
+             "set xrange [{:.8g}:{:.8g}]; set yrange [{:.8g}:{:.8g}]\n",
+             margin / style::canvas_width, 1 - margin / style::canvas_width, below / canvas,
+             (below + height) / canvas, box.left - spare, box.right + spare, box.bottom,
+             box.bottom + height / scale) +
+         title.commands(canvas) + key.commands(canvas);
 }
 
-std::string plot_layout(const Figure& figure, const Key& key) {
-  constexpr double plain = 300;  // axes and their labels
-  constexpr double y_label_room = 220;
+std::string plot_layout(const Figure& figure, const Title& title, const Key& key) {
+  constexpr double area = 220;
+  constexpr double numbers = 38;  // below the axis
   constexpr double x_label_room = 400;
-  return fmt::format(
-      "set terminal svg size {},{:.0f} fixed font 'Helvetica,{}' enhanced background '#ffffff' name 'f'\n"
-      "set border 3 lw 1\nset tics nomirror\nset grid lt 1 lw 1 lc rgb '{}'\n"
-      "set key below center\nset xlabel {}\nset ylabel {}\n",
-      style::canvas_width, plain + title_height(figure) + key.height(), style::font_size, style::faint,
-      text_block(figure.x_label, characters_in(x_label_room)),
-      text_block(figure.y_label, characters_in(y_label_room)));
+  const std::size_t x_characters = characters_in(x_label_room);
+  const double below = numbers + height_of_lines(wrapped(figure.x_label, x_characters).size()) + key.height();
+  constexpr double number = 6;  // what the highest number on the axis stands above it
+  const double canvas = std::ceil(title.height() + number + area + below);
+  return canvas_commands(canvas) +
+         fmt::format(
+             "set border 3 lw 1\nset tics nomirror\nset grid lt 1 lw 1 lc rgb '{}'\n"
+             "set rmargin at screen {:.6f}\nset bmargin at screen {:.6f}; set tmargin at screen {:.6f}\n"
+             "set xlabel {} offset 0,0.5\nset ylabel {}\n",
+             style::faint, 1 - 2 * margin / style::canvas_width, below / canvas, (below + area) / canvas,
+             text_block(figure.x_label, x_characters), text_block(figure.y_label, characters_in(area))) +
+         title.commands(canvas) + key.commands(canvas);
 }
 
 }  // namespace
 
 std::string figure_script(const Figure& figure, std::span<const Series> series) {
+  constexpr std::size_t title_characters = 51;
+  const Title title{wrapped(figure.title, title_characters)};
   const Key key = key_of(figure);
-  std::string script = "set encoding utf8\n" +
-                       (figure.picture ? picture_layout(figure, series, key) : plot_layout(figure, key)) +
-                       "set title " + text_block(figure.title, title_characters) + "\n" +
-                       (key.rows == 0 ? "unset key\n"
-                                      : fmt::format("set key horizontal Left reverse samplen 2.5 width 0 "
-                                                    "maxcols {}\n",
-                                                    key.columns));
+  std::string script = "set encoding utf8\n" + (figure.picture ? picture_layout(figure, series, title, key)
+                                                               : plot_layout(figure, title, key));
   std::string plots;
   for (std::size_t i = 0; i < figure.curves.size(); ++i) {
     const Curve& curve = figure.curves[i];

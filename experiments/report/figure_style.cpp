@@ -26,8 +26,8 @@ std::string dashed(std::size_t i, std::string_view colour, double width) {
   return fmt::format("lines lw {} dt {} lc rgb '{}'", width, look(i).dash, colour);
 }
 
-std::string marked(std::size_t i) {
-  return fmt::format("linespoints lw 1.3 pt {} ps 0.5 lc rgb '{}'", look(i).marker, look(i).colour);
+std::string marked(std::size_t i, double size) {
+  return fmt::format("linespoints lw 1.3 pt {} ps {} lc rgb '{}'", look(i).marker, size, look(i).colour);
 }
 
 std::string points(std::size_t i, double size) {

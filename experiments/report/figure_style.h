@@ -47,7 +47,7 @@ inline constexpr unsigned flat_blue = 0x0072B2;
 /// The dash of curve i in another colour, for lines on regions.
 [[nodiscard]] std::string dashed(std::size_t i, std::string_view colour, double width = 1.5);
 /// Curve i through measured points: colour and marker.
-[[nodiscard]] std::string marked(std::size_t i);
+[[nodiscard]] std::string marked(std::size_t i, double size = 0.5);
 /// Points alone, in the colour and with the marker of curve i.
 [[nodiscard]] std::string points(std::size_t i, double size = 0.7);
 /// The curve of a picture with one curve beside its control polygon.

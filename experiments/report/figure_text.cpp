@@ -49,6 +49,22 @@ void for_parts(std::string_view text, const Plain& plain, const Script& script) 
   plain(text.substr(done));
 }
 
+std::vector<std::string> filled_lines(const std::string& text, std::size_t width) {
+  std::vector<std::string> lines;
+  std::size_t begin = 0;
+  while (begin < text.size()) {
+    const std::size_t end = std::min(text.find(' ', begin), text.size());
+    const std::string word = text.substr(begin, end - begin);
+    begin = end + 1;
+    if (!lines.empty() && display_width(plain_text(lines.back() + " " + word)) <= width) {
+      lines.back() += " " + word;
+    } else {
+      lines.push_back(word);
+    }
+  }
+  return lines;
+}
+
 }  // namespace
 
 std::string gnuplot_text(std::string_view text) {
@@ -70,19 +86,14 @@ std::string plain_text(std::string_view text) {
 }
 
 std::vector<std::string> wrapped(const std::string& text, std::size_t width) {
-  std::vector<std::string> lines;
-  std::size_t begin = 0;
-  while (begin < text.size()) {
-    const std::size_t end = std::min(text.find(' ', begin), text.size());
-    const std::string word = text.substr(begin, end - begin);
-    begin = end + 1;
-    if (!lines.empty() && display_width(plain_text(lines.back() + " " + word)) <= width) {
-      lines.back() += " " + word;
-    } else {
-      lines.push_back(word);
-    }
+  const std::vector<std::string> filled = filled_lines(text, width);
+  std::vector<std::string> balanced = filled;
+  while (width > 1) {
+    std::vector<std::string> narrower = filled_lines(text, --width);
+    if (narrower.size() > filled.size()) break;
+    balanced = std::move(narrower);
   }
-  return lines;
+  return balanced;
 }
 
 }  // namespace subdiv

@@ -15,7 +15,8 @@ namespace subdiv {
 [[nodiscard]] std::string gnuplot_text(std::string_view text);
 /// As it is read aloud, and as long as it is drawn: without the signs for indices. (Powers keep theirs.)
 [[nodiscard]] std::string plain_text(std::string_view text);
-/// Broken at spaces into lines of at most `width` characters as drawn, where words allow it.
+/// Broken at spaces into as few lines as possible of at most `width` characters as drawn, where words allow
+/// it, about equally long.
 [[nodiscard]] std::vector<std::string> wrapped(const std::string& text, std::size_t width);
 
 }  // namespace subdiv

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -46,23 +47,63 @@ std::string with_short_colours(const std::string& line) {
   return result + line.substr(done);
 }
 
-/// A path without the signs and zeros that say nothing.
-std::string with_short_path(const std::string& line) {
-  const std::size_t begin = line.find(" d='M");
-  if (begin == std::string::npos) return line;
-  const std::size_t end = line.find('\'', begin + 5);
+/// A number of hundredths, shortest.
+std::string short_number(long hundredths) {
+  std::string text = fmt::format("{}{}", hundredths < 0 ? "-" : "", std::abs(hundredths) / 100);
+  const long rest = std::abs(hundredths) % 100;
+  if (rest == 0) return text;
+  text += fmt::format(".{:02}", rest);
+  return text.ends_with('0') ? text.substr(0, text.size() - 1) : text;
+}
+
+/// A pair of numbers, with a space where their signs do not part them.
+std::string short_pair(long x, long y) { return short_number(x) + (y < 0 ? "" : " ") + short_number(y); }
+
+/// "M1.00,2.50 L3.25,4.00 Z" as "M1 2.5l2.25 1.5z": lines by their steps. Empty for a path with other
+/// commands.
+std::string short_path(const std::string& path) {
   std::string result;
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    const bool inside = i > begin && i < end;
-    if (inside && line[i] == 'L') continue;  // what follows a move are lines
-    if (inside && line[i] == ' ' && (line[i + 1] == ' ' || line[i + 1] == '\'')) continue;
-    if (inside && line.compare(i, 3, ".00") == 0) {
-      i += 2;
+  long x = 0;
+  long y = 0;
+  bool in_lines = false;
+  for (std::size_t i = 0; i < path.size();) {
+    const char command = path[i++];
+    if (command == ' ') continue;
+    if (command == 'Z') {
+      result += 'z';
+      in_lines = false;
       continue;
     }
-    result += line[i];
+    double next_x = 0;
+    double next_y = 0;
+    int read = 0;
+    if ((command != 'M' && command != 'L') ||
+        std::sscanf(path.c_str() + i, "%lf,%lf%n", &next_x, &next_y, &read) != 2)  // NOLINT(cert-err34-c)
+      return "";
+    i += static_cast<std::size_t>(read);
+    const long to_x = std::lround(100 * next_x);
+    const long to_y = std::lround(100 * next_y);
+    if (command == 'M') {
+      result += "M" + short_pair(to_x, to_y);
+    } else {
+      result += (!in_lines ? "l" : to_x < x ? "" : " ") + short_pair(to_x - x, to_y - y);
+    }
+    in_lines = command == 'L';
+    x = to_x;
+    y = to_y;
   }
   return result;
+}
+
+std::string with_short_path(const std::string& line) {
+  constexpr std::string_view before = " d='";
+  const std::size_t found = line.find(" d='M");
+  if (found == std::string::npos) return line;
+  const std::size_t begin = found + before.size();
+  const std::size_t end = line.find('\'', begin);
+  if (end == std::string::npos) return line;
+  const std::string path = short_path(line.substr(begin, end - begin));
+  return path.empty() ? line : line.substr(0, begin) + path + line.substr(end);
 }
 
 struct Polygon {
@@ -132,6 +173,8 @@ std::string finished_line(const std::string& line) {
   result = replaced(std::move(result), "<tspan font-family=\"Helvetica\" ", "<tspan");
   result = replaced(std::move(result), "font-family=\"Helvetica\"",
                     "font-family=\"Helvetica, Arial, 'Liberation Sans', sans-serif\"");
+  if (result.find(" dy=\"") != std::string::npos)  // parts whose first space counts
+    result = replaced(std::move(result), "<text>", "<text xml:space=\"preserve\">");
   return replaced(std::move(result), "stroke=\"none\" fill=\"black\"",
                   "stroke=\"#ffffff\" stroke-width=\"3\" stroke-linejoin=\"round\" paint-order=\"stroke\" "
                   "fill=\"black\"");
