@@ -2,16 +2,26 @@
 
 // The assembler puts the files into the program as they are: no compiler reads half a megabyte of literals.
 // SUBDIVLAB_EXPLORER_FOLDER is this folder.
-#define SUBDIVLAB_ASSET(name, file)                                                                      \
-  __asm__(".pushsection .rodata\n" #name ":\n.incbin \"" SUBDIVLAB_EXPLORER_FOLDER "/" file "\"\n" #name \
-          "_end:\n.byte 0\n.global " #name "\n.global " #name "_end\n.popsection\n");                    \
-  extern "C" const char name[];                                                                          \
-  extern "C" const char name##_end[]
+#define SUBDIVLAB_ASSET(name, file)                                             \
+  __asm__(".pushsection .rodata\n.global " name "\n.global " name "_end\n" name \
+          ":\n.incbin \"" SUBDIVLAB_EXPLORER_FOLDER "/" file "\"\n" name        \
+          "_end:\n.byte 0\n"                                                    \
+          ".popsection\n")
+SUBDIVLAB_ASSET("subdivlab_explorer_core", "explorer_core.js");
+SUBDIVLAB_ASSET("subdivlab_explorer_script", "page.js");
+SUBDIVLAB_ASSET("subdivlab_explorer_style", "page.css");
+SUBDIVLAB_ASSET("subdivlab_explorer_content", "page.html");
 
-SUBDIVLAB_ASSET(subdivlab_explorer_core, "explorer_core.js");
-SUBDIVLAB_ASSET(subdivlab_explorer_script, "page.js");
-SUBDIVLAB_ASSET(subdivlab_explorer_style, "page.css");
-SUBDIVLAB_ASSET(subdivlab_explorer_content, "page.html");
+extern "C" {
+extern const char subdivlab_explorer_core[];
+extern const char subdivlab_explorer_core_end[];
+extern const char subdivlab_explorer_script[];
+extern const char subdivlab_explorer_script_end[];
+extern const char subdivlab_explorer_style[];
+extern const char subdivlab_explorer_style_end[];
+extern const char subdivlab_explorer_content[];
+extern const char subdivlab_explorer_content_end[];
+}
 
 namespace subdiv::explorer {
 namespace {

@@ -13,7 +13,6 @@
 #include "experiments/explorer/assets.h"
 #include "experiments/explorer/presets.h"
 #include "experiments/report/html_page.h"
-#include "experiments/report/html_text.h"
 
 namespace subdiv {
 namespace {
@@ -151,10 +150,16 @@ Json preset_list() {
   return result;
 }
 
-/// JSON inside a script element: nothing in it may end the element.
+/// JSON inside a script element: without any '<', nothing in it can end the element or change how it is read.
 std::string script_json(const Json& json) {
-  std::string text = json.dump();
-  for (std::size_t at = 0; (at = text.find("</", at)) != std::string::npos; ++at) text.replace(at, 2, "<\\/");
+  std::string text;
+  for (const char c : json.dump()) {
+    if (c == '<') {
+      text += "\\u003c";
+    } else {
+      text += c;
+    }
+  }
   return text;
 }
 
