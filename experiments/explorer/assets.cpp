@@ -2,15 +2,21 @@
 
 // The assembler puts the files into the program as they are: no compiler reads half a megabyte of literals.
 // SUBDIVLAB_EXPLORER_FOLDER is this folder.
-#define SUBDIVLAB_ASSET(name, file)                                             \
-  __asm__(".pushsection .rodata\n.global " name "\n.global " name "_end\n" name \
-          ":\n.incbin \"" SUBDIVLAB_EXPLORER_FOLDER "/" file "\"\n" name        \
-          "_end:\n.byte 0\n"                                                    \
-          ".popsection\n")
-SUBDIVLAB_ASSET("subdivlab_explorer_core", "explorer_core.js");
-SUBDIVLAB_ASSET("subdivlab_explorer_script", "page.js");
-SUBDIVLAB_ASSET("subdivlab_explorer_style", "page.css");
-SUBDIVLAB_ASSET("subdivlab_explorer_content", "page.html");
+__asm__(
+    ".pushsection .rodata\n"
+    ".global subdivlab_explorer_core\n.global subdivlab_explorer_core_end\n"
+    "subdivlab_explorer_core:\n.incbin \"" SUBDIVLAB_EXPLORER_FOLDER
+    "/explorer_core.js\"\nsubdivlab_explorer_core_end:\n"
+    ".global subdivlab_explorer_script\n.global subdivlab_explorer_script_end\n"
+    "subdivlab_explorer_script:\n.incbin \"" SUBDIVLAB_EXPLORER_FOLDER
+    "/page.js\"\nsubdivlab_explorer_script_end:\n"
+    ".global subdivlab_explorer_style\n.global subdivlab_explorer_style_end\n"
+    "subdivlab_explorer_style:\n.incbin \"" SUBDIVLAB_EXPLORER_FOLDER
+    "/page.css\"\nsubdivlab_explorer_style_end:\n"
+    ".global subdivlab_explorer_content\n.global subdivlab_explorer_content_end\n"
+    "subdivlab_explorer_content:\n.incbin \"" SUBDIVLAB_EXPLORER_FOLDER
+    "/page.html\"\nsubdivlab_explorer_content_end:\n"
+    ".byte 0\n.popsection\n");
 
 extern "C" {
 extern const char subdivlab_explorer_core[];
