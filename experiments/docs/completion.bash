@@ -231,7 +231,7 @@ _subdivlab() {
       valued=''
       _subdivlab_place
       case $place in
-        0) kind='file' ;;
+        [0-9]*) kind='file' ;;
       esac
       ;;
     list)

@@ -187,7 +187,7 @@ _subdivlab() {
             '(--help -h)'{--help,-h}'[Print this help message and exit]' \
             '--print-statement[Say in words what each one proves]' \
             '--missing[List the exact or certified claims that have no certificate]' \
-            ':PATH:_files'
+            '*:PATH:_files'
           ;;
         list)
           _arguments \
