@@ -168,7 +168,7 @@ std::optional<Rational> lower_by_norms(const Mask<Rational>& mask) {
   if (!symbol || symbol->is_zero()) return std::nullopt;
   const Rational norm = iterate_norms(*symbol, 2, steps).back();
   if (norm.sign() <= 0) return std::nullopt;
-  const Rational bound = Rational(1) - log2_bracket(norm).upper / Rational(steps);
+  Rational bound = Rational(1) - log2_bracket(norm).upper / Rational(steps);
   if (bound.sign() <= 0) return std::nullopt;
   return bound;
 }

@@ -88,10 +88,10 @@ std::string trimmed(std::string number) {
 std::string cell_facts(const ReportSource& source) {
   std::string facts;
   if (!source.series) return facts;
-  for (const std::string order : {"0", "1"}) {
-    for (const std::string decision : {"in", "out"}) {
-      if (!proved(source, "smooth.map.c" + order + "." + decision)) continue;
-      std::istringstream table(source.series("smooth-map-c" + order + "-" + decision));
+  for (const char* order : {"0", "1"}) {
+    for (const char* decision : {"in", "out"}) {
+      if (!proved(source, fmt::format("smooth.map.c{}.{}", order, decision))) continue;
+      std::istringstream table(source.series(fmt::format("smooth-map-c{}-{}", order, decision)));
       std::string line;
       std::getline(table, line);  // the names of the columns
       while (std::getline(table, line)) {
