@@ -68,7 +68,7 @@ std::string short_path(const std::string& path) {
   bool in_lines = false;
   for (std::size_t i = 0; i < path.size();) {
     const char command = path[i++];
-    if (command == ' ') continue;
+    if (command == ' ' || command == '\t') continue;
     if (command == 'Z') {
       result += 'z';
       in_lines = false;
@@ -93,6 +93,12 @@ std::string short_path(const std::string& path) {
     y = to_y;
   }
   return result;
+}
+
+/// Whether a path goes on in the next line.
+bool path_is_open(const std::string& line) {
+  const std::size_t begin = line.find(" d='M");
+  return begin != std::string::npos && line.find('\'', begin + 4) == std::string::npos;
 }
 
 std::string with_short_path(const std::string& line) {
@@ -236,7 +242,9 @@ std::string finished_svg(const std::string& text, const std::string& id, const s
       result += paths ? *paths : lines[i] + "\n";
       if (paths) i = end - 1;
     } else if (lines[i].find_first_not_of("\t ") != std::string::npos) {
-      result += finished_line(lines[i]) + "\n";
+      std::string line = lines[i];
+      while (path_is_open(line) && i + 1 < lines.size()) line += lines[++i];
+      result += finished_line(line) + "\n";
     }
   }
   return result;

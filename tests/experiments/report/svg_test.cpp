@@ -29,10 +29,9 @@ TEST(FinishedSvg, LeavesOutEmptyGroupsFiltersAndNamesOfPlots) {
 }
 
 TEST(FinishedSvg, ShortensPathsAndColours) {
-  EXPECT_EQ(
-      finished(
-          "\t<path stroke='rgb(  0, 114, 178)'  d='M1.00,2.50 L3.25,4.00 M5.00,6.00 L7.10,8.00 Z  '/>\n"),
-      head + "\t<path stroke='#0072b2'  d='M1 2.5l2.25 1.5M5 6l2.1 2z'/>\n</svg>\n");
+  EXPECT_EQ(finished("\t<path stroke='rgb(  0, 114, 178)'  d='M1.00,2.50 L3.25,4.00\n\t\tM5.00,6.00 "
+                     "L7.10,8.00 Z  '/>\n"),
+            head + "\t<path stroke='#0072b2'  d='M1 2.5l2.25 1.5M5 6l2.1 2z'/>\n</svg>\n");
 }
 
 TEST(FinishedSvg, WritesPolygonsAsPathsInTenthsOfUnits) {
