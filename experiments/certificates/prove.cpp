@@ -228,11 +228,23 @@ class Prover {
     return known->second;
   }
 
-  /// A rational near the value of a quotient with all roots in the middles of their ranges.
+  /// A rational near the value of a quotient, with all roots halved down to 2^-100 of their ranges.
   [[nodiscard]] Rational approximate(Quotient q) const {
     for (const auto& [x, equation] : context_.roots) {
-      const verifier::Range& range = context_.ranges.at(x);
-      q = verifier::substitute(q, x, Quotient((range.lower + *range.upper) / Rational(2)));
+      const auto sign_at = [&](const Rational& at) {
+        Rational sum(0);
+        for (const auto& [n, c] : equation) sum += c * pow(at, n);
+        return sum.sign();
+      };
+      Rational lower = context_.ranges.at(x).lower;
+      Rational upper = *context_.ranges.at(x).upper;
+      const int sign = sign_at(lower);
+      constexpr int halvings = 100;
+      for (int k = 0; k < halvings; ++k) {
+        const Rational middle = (lower + upper) / Rational(2);
+        (sign_at(middle) == sign ? lower : upper) = middle;
+      }
+      q = verifier::substitute(q, x, Quotient(lower));
     }
     return number(q);
   }

@@ -157,7 +157,12 @@ Context read_head(const std::vector<std::string>& head, const std::filesystem::p
 }
 
 Context check(const Certificate& certificate, const std::filesystem::path& data) {
-  Context context = read_head(certificate.head, data);
+  Context context;
+  try {
+    context = read_head(certificate.head, data);
+  } catch (const std::exception& error) {
+    throw Rejected(error.what());
+  }
   auto next = certificate.proof.begin();
   const Witness from_proof = [&](const Question& question) {
     need(next != certificate.proof.end() && next->starts_with(question.word + " "),
