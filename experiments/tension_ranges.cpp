@@ -167,8 +167,8 @@ void add_dual(Results& results) {
       claim("smooth.dfh.c2.single"), exact(single[0], "reduction of dependent shifts"),
       fmt::format("1-z+z^2 divides the symbol there: the shifts of the basis function are dependent, "
                   "and limits are those of another scheme. Third differences of the control points, "
-                  "scaled by 4 at each level, grow nevertheless (joint spectral radius {}). The other w "
-                  "with dependent shifts, 0 and -1/16, have no C2 limits.",
+                  "scaled by 4 at each level, grow nevertheless (joint spectral radius {}). -1/16, "
+                  "the other w with dependent shifts, has no C2 limits, nor has w = 0, Chaikin's scheme.",
                   report.scheme.radius.value.exact)));
   results.claims.push_back(settle(claim("smooth.dfh.c2.single.exponent"), report.limits.exponent));
 }

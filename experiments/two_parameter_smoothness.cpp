@@ -11,6 +11,7 @@
 #include "analysis/hoelder.h"
 #include "analysis/three_tap_smoothness.h"
 #include "analysis/unstable_conditions.h"
+#include "analysis/unstable_shifts.h"
 #include "schemes/algebra/specialize.h"
 #include "schemes/jspline.h"
 
@@ -236,14 +237,29 @@ bool are_the_three_lines(const std::vector<UnstableCondition>& conditions) {
          std::ranges::count_if(conditions, is_point) == 1 && conditions.size() == 4;
 }
 
+/// The places on the lines where the outer coefficients vanish, b = 1, at which the shifts are independent
+/// all the same: conditions over Q(a, b) cannot tell.
+std::vector<Rational> independent_ends() {
+  std::vector<Rational> result;
+  for (const int at : {2, 0, 4}) {  // of a, on a = 2, a = b - 1, 2a + b = 9
+    const bool independent =
+        independent_form(normal_form(jspline<Rational>(at, 1))).independent == Decision::yes;
+    if (independent) result.emplace_back(at);
+  }
+  return result;
+}
+
 void add_c2(Results& results) {
   const Function x = Function::variable(0);
   const Function y = Function::variable(1);
   const std::vector<UnstableCondition> conditions = unstable_conditions(normal_form(jspline(x, y)).b);
   results.claims.push_back(settle_statement(
-      claim("smooth.ab.unstable"), are_the_three_lines(conditions), "a = 2; a = b-1; 2a+b = 9; (4, 9)",
+      claim("smooth.ab.unstable"),
+      are_the_three_lines(conditions) && independent_ends() == std::vector<Rational>{0},
+      "a = 2; a = b-1 but for (0, 1); 2a+b = 9; (4, 9)",
       "On the first two lines the symbol has roots z and -z, on the third and at (4, 9) it vanishes at the "
-      "negatives of the primitive roots of unity of order 3 and 5."));
+      "negatives of the primitive roots of unity of order 3 and 5. At (0, 1), linear subdivision, the outer "
+      "coefficients vanish and with them the roots: hat functions are independent."));
 
   // A third factor 1+z is there only for a = b: the next sum rule, b(-1) = b - a.
   const Laurent<Function> symbol = normal_form(jspline(x, y)).b;
