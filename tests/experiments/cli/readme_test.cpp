@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "experiments/report/json.h"
+#include "tests/experiments/cli/document.h"
 #include "tests/experiments/cli/program.h"
 
 namespace subdiv {
@@ -12,42 +13,12 @@ namespace {
 
 const std::filesystem::path root = SUBDIVLAB_SOURCE_DIR;
 
-/// The text between a fence "```language" and the next "```" of README.md.
-std::string fenced_block(const std::string& language) {
-  const std::string readme = text_of(root / "README.md");
-  const std::string fence = "\n```" + language + "\n";
-  const std::size_t begin = readme.find(fence);
-  if (begin == std::string::npos) throw std::runtime_error("README.md has no block " + fence);
-  const std::size_t first = begin + fence.size();
-  return readme.substr(first, readme.find("\n```", first) - first);
-}
-
-/// The words of a command as a shell has them: parts in single quotes belong together, # ends it.
-std::vector<std::string> shell_words(const std::string& command) {
-  std::vector<std::string> words;
-  bool quoted = false;
-  bool inside = false;
-  for (const char c : command) {
-    if (c == '\'') {
-      quoted = !quoted;
-    } else if (!quoted && c == ' ') {
-      inside = false;
-      continue;
-    } else if (!quoted && !inside && c == '#') {
-      break;
-    }
-    if (!inside) words.emplace_back();
-    inside = true;
-    if (c != '\'') words.back() += c;
-  }
-  return words;
-}
+const std::string readme = text_of(root / "README.md");
 
 /// The commands "    build/subdivlab ..." of README.md that speak of a file, as arguments.
 std::vector<std::vector<std::string>> commands_about(const std::string& file) {
   std::vector<std::vector<std::string>> commands;
-  std::istringstream readme(text_of(root / "README.md"));
-  for (std::string line; std::getline(readme, line);) {
+  for (const std::string& line : lines_of(readme)) {
     const std::string prompt = "    build/subdivlab ";
     if (!line.starts_with(prompt) || line.find(file) == std::string::npos) continue;
     commands.push_back(shell_words(line.substr(prompt.size())));
@@ -57,7 +28,7 @@ std::vector<std::vector<std::string>> commands_about(const std::string& file) {
 
 TEST(Readme, TheExampleSchemeWorksWithItsCommands) {
   const TemporaryFolder folder;
-  std::ofstream(folder.path() / "corner.json") << fenced_block("json");
+  std::ofstream(folder.path() / "corner.json") << fenced_block(readme, "json");
   const auto commands = commands_about("corner.json");
   EXPECT_GE(commands.size(), 2U);
   for (const auto& command : commands) {
@@ -71,10 +42,8 @@ TEST(Readme, TheCertificateIsWhatTheProgramSays) {
   ASSERT_EQ(commands.size(), 1U);
   const ProgramRun run = run_program(commands[0]);
   EXPECT_EQ(run.exit_code, 0);
-  const std::string readme = text_of(root / "README.md");
-  std::istringstream output(run.output);
   int shown = 0;
-  for (std::string line; std::getline(output, line);) {
+  for (const std::string& line : lines_of(run.output)) {
     if (!line.starts_with("proved ") && !line.starts_with("refuted ")) continue;
     expect_contains(readme, "\n" + line + "\n");
     ++shown;
@@ -100,7 +69,7 @@ TEST(Readme, CurvesAndSurfacesAreEvaluated) {
 
 TEST(Readme, TheExcerptIsWhatTheResultsSay) {
   const auto claims = claims_from_json(text_of(root / "results" / "claims.json"), "results/claims.json");
-  std::istringstream excerpt(fenced_block(""));
+  std::istringstream excerpt(fenced_block(readme, ""));
   std::string line;
   std::getline(excerpt, line);  // the header
   int rows = 0;
