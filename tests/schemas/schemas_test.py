@@ -20,7 +20,7 @@ from rules import broken_rules, rules
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PROGRAM = os.environ.get("SUBDIVLAB_PROGRAM", str(ROOT / "build/subdivlab"))
-NAMES = ["scheme", "claims", "analyze", "certify", "optimize", "eigen"]
+NAMES = ["scheme", "claims", "analyze", "certify", "optimize", "eigen", "own-claims"]
 SCHEMAS = {name: json.loads((ROOT / f"experiments/docs/{name}.schema.json").read_text()) for name in NAMES}
 
 
@@ -334,6 +334,47 @@ def keys(value):
     if isinstance(value, dict):
         return set(value).union(*map(keys, value.values()))
     return set().union(*map(keys, value)) if isinstance(value, list) else set()
+
+
+class OwnClaims(unittest.TestCase):
+    def definitions(self):
+        return json.loads(run("list", "definitions", "--json").stdout)["definitions"]
+
+    def test_it_knows_the_definitions_and_their_arguments(self):
+        described = {}
+        for entry in SCHEMAS["own-claims"]["$defs"]["definition"]["oneOf"]:
+            described[entry["properties"]["name"]["const"]] = (set(entry["properties"]), set(entry["required"]))
+        for definition in self.definitions():
+            arguments = definition["arguments"]
+            self.assertEqual(described.pop(definition["name"]),
+                             ({"name", *(a["name"] for a in arguments)},
+                              {"name", *(a["name"] for a in arguments if a["required"])}))
+        self.assertEqual(described, {})
+
+    def test_examples_are_good(self):
+        for definition in self.definitions():
+            with self.subTest(definition["name"]):
+                self.assertEqual(first_error("own-claims", {"claims": [{"id": "a", "definition": definition["example"]}]}), "")
+
+    def test_bad_files_are_bad_for_both(self):
+        good = {"id": "a", "definition": {"name": "hoelder", "scheme": "four-point"}}
+        bad = [[], {}, {"claims": {}}, {"claims": [good], "claim": 1}, {"claims": [7]}, {"document": 7, "claims": [good]},
+               {"figures": [{"name": "f"}]}, {"figures": [{"name": "a b", "scheme": "four-point"}]}]
+        changes = [{"id": "a b"}, {"id": ".a"}, {"id": 7}, {"kind": "exact"}, {"kind": "bound", "printed": "2"},
+                   {"printed": ["2"]}, {"definition": "hoelder"}, {"definition": {"name": "holder", "scheme": "four-point"}},
+                   {"definition": {"name": "hoelder"}}, {"value": 2}, {"section": 4},
+                   {"definition": {"name": "hoelder", "scheme": "four-point", "index": 1}},
+                   {"definition": {"name": "hoelder", "scheme": ["four-point"]}}]
+        bad += [{"claims": [{**good, **change}]} for change in changes]
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "mine.json"
+            for instance in bad:
+                with self.subTest(instance=instance):
+                    path.write_text(json.dumps(instance))
+                    answer = run("reproduce", "--claims", path, "--out", pathlib.Path(folder) / "out")
+                    self.assertEqual(answer.returncode, 2, answer.stderr)
+                    self.assertFalse(is_valid("own-claims", instance))
+                    self.assertFalse((pathlib.Path(folder) / "out").exists())
 
 
 class Schemas(unittest.TestCase):
