@@ -11,8 +11,10 @@ namespace {
 bool is_at_least(const Quotient& a, const Quotient& b, const Ranges& ranges) {
   const Quotient difference = a - b;
   if (difference.is_number()) return number(difference).sign() >= 0;
-  if (!difference.is_polynomial()) return false;
-  const auto [cover, cell] = pose(Condition::sign, false, {difference.above, {}}, ranges);
+  // A quotient has the sign of this product where its denominator is not 0.
+  const Quotient same_sign = Quotient(difference.above) * Quotient(difference.below);
+  const auto [cover, cell] =
+      pose(Condition::sign, !difference.is_polynomial(), {same_sign.above, {}}, ranges);
   return holds(cover, cell, ".");
 }
 
