@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "experiments/report/gnuplot.h"
+#include "experiments/report/figure_script.h"
 #include "experiments/speed_figure_parts.h"
 #include "tests/experiments/find_claim.h"
 
