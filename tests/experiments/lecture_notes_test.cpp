@@ -296,11 +296,7 @@ TEST(LectureNotes, TheBezierFigureNamesItsPoints) {
   const auto figure = std::ranges::find(results().figures, "figure-notes-bezier", &Figure::name);
   ASSERT_NE(figure, results().figures.end());
   const auto count = [&](const std::string& name) {
-    int times = 0;
-    const std::string label = "set label '" + name + "' at ";
-    for (auto at = figure->setup.find(label); at != std::string::npos; at = figure->setup.find(label, at + 1))
-      ++times;
-    return times;
+    return std::ranges::count(figure->texts, name, &FigureText::text);
   };
   for (const char* name : {"P0", "P1", "P2", "P3"}) EXPECT_EQ(count(name), 2) << name;
   for (const char* name : {"P01", "P12", "P23", "P012", "P123", "P0123"}) EXPECT_EQ(count(name), 1) << name;

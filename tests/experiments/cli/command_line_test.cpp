@@ -52,7 +52,7 @@ TEST(List, NamesEverythingThatCanBeAskedFor) {
   EXPECT_FALSE(json.contains("schemes"));
   EXPECT_GE(json["claims"].size(), 19U);
   EXPECT_EQ(json["claims"][0]["id"], "family.members.four-point");
-  EXPECT_EQ(nlohmann::json::parse(run_program({"list", "--json"}).output).size(), 3U);
+  EXPECT_EQ(nlohmann::json::parse(run_program({"list", "--json"}).output).size(), 4U);
 }
 
 }  // namespace
