@@ -37,9 +37,9 @@ TEST(RingingExperiment, AClosedLoopComputesItsFirstRingTwice) {
 
 TEST(RingingExperiment, FaultsOfThePrintedCodeAndCaptions) {
   const std::map<std::string, std::string> mended{
-      {"ringing.appendix.reset", "d=rec first"},
-      {"ringing.appendix.stepper-comment", "rec minus the number"},
-      {"ringing.appendix.stepper-text", "every step"},
+      {"ringing.appendix.reset", "d=rec before the loop"},
+      {"ringing.appendix.stepper-comment", "is rec minus the number"},
+      {"ringing.appendix.stepper-text", "always that of the last ring"},
       {"ringing.appendix.f23-comment", "edge 3"},
       {"ringing.appendix.b3-comment", "vertex 4"},
       {"ringing.figure-14", "advance r2"}};
