@@ -28,7 +28,8 @@ TEST(TwoParameterSmoothness, ExactSets) {
   EXPECT_EQ(find_claim(claims(), "smooth.ab.line.even").exact, "(1, 9)");
   EXPECT_EQ(find_claim(claims(), "smooth.ab.line.cycle").exact, "(1, 9)");
   EXPECT_EQ(find_claim(claims(), "smooth.ab.line.cycle.scheme").exact, "(1, 19/3)");
-  EXPECT_EQ(find_claim(claims(), "smooth.ab.unstable").exact, "a = 2; a = b-1 but for (0, 1); 2a+b = 9; (4, 9)");
+  EXPECT_EQ(find_claim(claims(), "smooth.ab.unstable").exact,
+            "a = 2; a = b-1 but for (0, 1); 2a+b = 9; (4, 9)");
 }
 
 }  // namespace
