@@ -101,7 +101,7 @@ class Reader {
             fmt::format("\"{}\" is missing: letters, digits, '-', '_' and '.', such as \"mine.1\"", member));
       return "";
     }
-    const std::string name = text(object, member).value_or("");
+    std::string name = text(object, member).value_or("");
     if (value->kind != Kind::string) return "";
     if (!is_file_name(name)) {
       wrong(value->line,

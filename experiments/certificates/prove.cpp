@@ -8,6 +8,8 @@
 #include <optional>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "experiments/certificates/find_cover.h"
 #include "optimize/linear_program.h"
 #include "schemes/algebra/matrix.h"
@@ -23,7 +25,6 @@ using verifier::Quotient;
 using verifier::Rejected;
 using verifier::scalar;
 using verifier::Value;
-using verifier::whole;
 
 std::string text(const std::vector<Rational>& row) {
   std::string result = "[";
@@ -285,7 +286,7 @@ class Prover {
       if (!falls(items, falling, question.name, lower, upper, Rational(-1))) continue;
       if (!falls(items, rising, question.name, lower, upper, Rational(1))) continue;
       return {{"near", "[" + lower.to_string() + ", " + upper.to_string() + "]"},
-              {"active", falling + " " + rising}};
+              {"active", fmt::format("{} {}", falling, rising)}};
     }
     throw Rejected("no interval around the minimum was found");
   }

@@ -5,6 +5,8 @@
 #include <set>
 #include <string_view>
 
+#include <fmt/format.h>
+
 #include "experiments/file_reader.h"
 #include "schemes/input_error.h"
 #include "schemes/text.h"
@@ -28,7 +30,7 @@ void replace_all(std::string& line, const std::string& name, const std::optional
                  const std::string& claim) {
   for (std::size_t at = line.find(name); at != std::string::npos; at = line.find(name, at + 1)) {
     if (!value)
-      throw InputError("the statement of " + claim + " asks for " + name + ", which the claim lacks");
+      throw InputError(fmt::format("the statement of {} asks for {}, which the claim lacks", claim, name));
     line.replace(at, name.size(), *value);
   }
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <set>
 
+#include <fmt/format.h>
+
 #include "experiments/data.h"
 #include "experiments/own_claims.h"
 #include "experiments/report/folder.h"
@@ -39,8 +41,9 @@ void require_own_folder(const std::string& folder, const std::string& claims_fil
   if (!there) return;
   for (const ClaimRecord& claim : there->claims) {
     if (!ids.contains(claim.id)) continue;
-    throw InputError(folder + " holds the claims of the papers, " + in_quotes(claim.id) +
-                     " among them; name another folder for those of " + claims_file);
+    throw InputError(
+        fmt::format("{} holds the claims of the papers, {} among them; name another folder for those of {}",
+                    folder, in_quotes(claim.id), claims_file));
   }
 }
 

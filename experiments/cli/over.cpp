@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstddef>
 
+#include <fmt/format.h>
+
 #include "schemes/expression.h"
 #include "schemes/input_error.h"
 #include "schemes/text.h"
@@ -55,8 +57,8 @@ std::vector<ParameterRange> parse_over(std::string_view text, const std::vector<
   for (const std::string& name : free_parameters) {
     const auto count = std::ranges::count(given, name, &ParameterRange::name);
     if (count == 0)
-      throw InputError(option + ": the free parameter " + in_quotes(name) + " has no range; add " + name +
-                       "=LO..HI");
+      throw InputError(fmt::format("{}: the free parameter {} has no range; add {}=LO..HI", option,
+                                   in_quotes(name), name));
     if (count > 1) throw InputError(option + ": " + in_quotes(name) + " has two ranges; give one");
     box.push_back(*std::ranges::find(given, name, &ParameterRange::name));
   }

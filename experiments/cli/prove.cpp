@@ -1,6 +1,8 @@
 #include <filesystem>
 #include <iostream>
 
+#include <fmt/format.h>
+
 #include "experiments/certificates/statement_file.h"
 #include "experiments/cli/verbs.h"
 #include "experiments/data.h"
@@ -19,7 +21,7 @@ int prove(const ProveOptions& options) {
     for (const WrittenStatement& written : read_statements(file)) {
       const std::string& id = written.statement.claim;
       if (!is_file_name(id))
-        throw InputError(file + ":" + std::to_string(written.line) + ": " + id + " is no file name");
+        throw InputError(fmt::format("{}:{}: {} is no file name", file, written.line, id));
       try {
         Statement statement = written.statement;
         if (results) {
