@@ -1,6 +1,8 @@
 #include <array>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "experiments/verifier/certificate.h"
 
 namespace subdiv::verifier {
@@ -65,10 +67,10 @@ std::string in_words(const Certificate& certificate) {
     const std::string name = rest.substr(0, rest.find(' '));
     const std::string what = rest.substr(std::min(rest.find(' ') + 1, rest.size()));
     text += line.starts_with("scheme")
-                ? "  " + name + " is the symbol of " + what + "\n"
-                : "  " + name + " are the numbers of " + what.substr(0, what.find(' ')) + "\n";
+                ? fmt::format("  {} is the symbol of {}\n", name, what)
+                : fmt::format("  {} are the numbers of {}\n", name, what.substr(0, what.find(' ')));
   }
-  for (const std::string& line : certificate.statement) text += "  " + in_words(line) + "\n";
+  for (const std::string& line : certificate.statement) text += fmt::format("  {}\n", in_words(line));
   return text;
 }
 
