@@ -228,7 +228,8 @@ void print(const CertifyOptions& options, const std::vector<ParameterRange>& ove
   for (const Json& end : over.size() == 1 ? ends_json(over[0].name, certificate.cells) : Json::array()) {
     const auto lower = end["lower"].get<std::string>();
     const auto upper = end["upper"].get<std::string>();
-    if (lower == upper) continue;  // the cells show it exactly
+    const auto exact = end["exact"].get<std::string>();
+    if (exact.find_first_not_of("-/0123456789") == std::string::npos) continue;  // the cells show all of it
     const auto differ = std::mismatch(lower.begin(), lower.end(), upper.begin(), upper.end()).first;
     print_line("end", over[0].name + " = " + std::string(lower.begin(), differ) + "..");
   }
