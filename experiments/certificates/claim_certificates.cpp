@@ -12,11 +12,11 @@
 #include "schemes/input_error.h"
 
 namespace subdiv {
-namespace {
 
 namespace fs = std::filesystem;
 
-std::map<std::string, Statement> all_statements(const fs::path& folder) {
+std::map<std::string, Statement> claim_statements(const fs::path& data) {
+  const fs::path folder = data / "statements";
   std::error_code ignored;
   if (!fs::exists(folder, ignored)) return {};
   std::vector<fs::path> files;
@@ -37,11 +37,9 @@ std::map<std::string, Statement> all_statements(const fs::path& folder) {
   return statements;
 }
 
-}  // namespace
-
 std::vector<ClaimCertificate> claim_certificates(std::span<const ClaimRecord> claims, const fs::path& data,
                                                  int jobs) {
-  const std::map<std::string, Statement> statements = all_statements(data / "statements");
+  const std::map<std::string, Statement> statements = claim_statements(data);
   std::vector<std::pair<const ClaimRecord*, const Statement*>> work;
   for (const ClaimRecord& claim : claims) {
     const auto found = statements.find(claim.id);

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "experiments/certificates/prove.h"
 #include "experiments/report/record.h"
 
 namespace subdiv {
@@ -21,6 +23,10 @@ struct ClaimCertificate {
 /// or two of them speak of one claim.
 [[nodiscard]] std::vector<ClaimCertificate> claim_certificates(std::span<const ClaimRecord> claims,
                                                                const std::filesystem::path& data, int jobs);
+
+/// The statements of claims that the data folder holds (statements/*.statements), before values are filled
+/// in. Errors as above.
+[[nodiscard]] std::map<std::string, Statement> claim_statements(const std::filesystem::path& data);
 
 /// Whether a claim is one that a certificate should prove: exact or certified, and decided.
 [[nodiscard]] bool wants_certificate(const ClaimRecord& claim);

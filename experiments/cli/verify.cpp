@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "experiments/certificates/claim_certificates.h"
+#include "experiments/certificates/statement_file.h"
 #include "experiments/cli/verbs.h"
 #include "experiments/data.h"
 #include "experiments/report/files.h"
@@ -26,6 +27,19 @@ std::vector<fs::path> certificates_in(const fs::path& folder) {
   std::sort(files.begin(), files.end());
   if (files.empty()) throw InputError(folder.string() + ": there are no certificates (*.txt) in this folder");
   return files;
+}
+
+/// Rejected unless the certificate states what the data folder has as the claim's statement.
+void check_statement(const verifier::Certificate& certificate,
+                     const std::map<std::string, Statement>& statements, const ClaimRecord& claim) {
+  const auto found = statements.find(certificate.claim);
+  verifier::need(found != statements.end(), "the data folder has no statement of this claim");
+  const Statement expected = filled(found->second, claim);
+  const bool same_head = std::equal(
+      expected.head.begin(), expected.head.end(), certificate.head.begin(), certificate.head.end(),
+      [](const std::string& line, const std::string& written) { return written.starts_with(line + " "); });
+  verifier::need(same_head && expected.lines == certificate.statement,
+                 "this is not the claim's statement in the data folder");
 }
 
 /// The claims that the results folder around a folder of certificates holds, by id.
@@ -51,6 +65,7 @@ int verify(const VerifyOptions& options) {
           place.string() +
           ": there is no such folder or file; 'subdivlab reproduce' writes results/certificates");
     }
+    const auto statements = is_folder ? claim_statements(data_folder()) : std::map<std::string, Statement>();
     auto claims = is_folder ? claims_beside(place) : std::nullopt;
     for (const fs::path& file : is_folder ? certificates_in(place) : std::vector<fs::path>{place}) {
       try {
@@ -61,6 +76,7 @@ int verify(const VerifyOptions& options) {
         if (claims) {
           const auto claim = claims->find(certificate.claim);
           verifier::need(claim != claims->end(), "claims.json has no such claim");
+          check_statement(certificate, statements, claim->second);
           verifier::check_claim_value(context.values, context.ranges,
                                       {claim->second.exact, claim->second.lower, claim->second.upper});
           claims->erase(claim);

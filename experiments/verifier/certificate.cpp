@@ -7,6 +7,7 @@
 #include <sstream>
 #include <utility>
 
+#include <fmt/format.h>
 #include <openssl/evp.h>
 
 #include "schemes/input_error.h"
@@ -81,6 +82,12 @@ Value table(const std::string& text) {
   return std::vector<Value>(groups.begin(), groups.end());
 }
 
+/// Remarks, definitions and ranges state nothing.
+bool says_something(const std::string& line) {
+  const std::string word = line.substr(0, line.find(' '));
+  return word != "#" && word != "let" && word != "def" && word != "for";
+}
+
 /// The symbol that the program makes of a scheme's name.
 std::string symbol_of(const std::string& scheme) {
   const SchemeDescription description = parse_scheme(scheme);
@@ -138,9 +145,11 @@ Context read_head(const std::vector<std::string>& head, const std::filesystem::p
     std::string name;
     std::string what;
     words >> kind >> name >> what;
+    need(!context.names.values.contains(name), name + " is named twice");
     if (kind == "scheme") {
       const std::size_t mask = line.find(" = ");
-      need(mask != std::string::npos, "a mask is missing: " + line);
+      need(mask != std::string::npos && line.substr(0, mask) == fmt::format("scheme {} {}", name, what),
+           "a mask is missing: " + line);
       const Value symbol = evaluate(line.substr(mask + 3), {});
       const Value known = evaluate(symbol_of(what), {});
       need((scalar(symbol) - scalar(known)).above.empty(), "this is not the mask of " + what);
@@ -169,6 +178,8 @@ Context check(const Certificate& certificate, const std::filesystem::path& data)
          "the proof lacks '" + question.word + "'");
     return (next++)->substr(question.word.size() + 1);
   };
+  need(std::any_of(certificate.statement.begin(), certificate.statement.end(), says_something),
+       "nothing is stated");
   for (const std::string& line : certificate.statement) {
     try {
       check_line(line, context, from_proof);

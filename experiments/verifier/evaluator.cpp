@@ -123,6 +123,8 @@ class Evaluation {
   Value of_polynomial(const Term& t, const Locals& locals) {
     const Quotient f = number_at(t.operands[0], locals);
     const std::string& x = t.operands[1].name;
+    need(!locals.contains(x) && !names_.values.contains(x) && !names_.roots.contains(x),
+         x + " is no indeterminate in " + t.name);
     if (t.name == "diff") return derivative(f, x);
     if (t.name == "subst") return substitute(f, x, number_at(t.operands[2], locals));
     const auto below = by_power(f.below, x);
@@ -133,6 +135,12 @@ class Evaluation {
       return result / Quotient(f.below);
     }
     need(!parts.empty(), t.name + " of 0");
+    for (const auto& [n, coefficient] : parts) {  // which a root could make 0
+      for (const std::string& root : names_.roots) {
+        need(by_power(coefficient, root).contains(0) && by_power(coefficient, root).size() == 1,
+             t.name + " of a polynomial with roots");
+      }
+    }
     return Quotient(Rational(t.name == "low" ? parts.begin()->first : parts.rbegin()->first));
   }
 
@@ -168,6 +176,13 @@ class Evaluation {
 };
 
 }  // namespace
+
+bool is_built_in(const std::string& name) {
+  static const std::set<std::string> names{"if",  "seq",  "sum",   "coef", "subst", "diff",
+                                           "low", "high", "det",   "len",  "join",  "less",
+                                           "abs", "mod",  "floor", "max",  "min"};
+  return names.contains(name);
+}
 
 const Quotient& scalar(const Value& v) {
   need(!v.is_list(), "a list stands where a number is needed");

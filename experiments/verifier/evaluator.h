@@ -2,6 +2,7 @@
 
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -53,7 +54,10 @@ struct Function {
 struct Names {
   std::map<std::string, Value> values;
   std::map<std::string, Function> functions;
+  std::set<std::string> roots;  // indeterminates that obey an equation
 };
+/// Whether the language itself has a function of this name.
+[[nodiscard]] bool is_built_in(const std::string& name);
 
 /// Rejected when the term has no value.
 [[nodiscard]] Value evaluate(const Term& term, const Names& names);

@@ -21,6 +21,13 @@ std::pair<std::string, std::string> parts(const std::string& text, const std::st
   return {trim(text.substr(0, at)), trim(text.substr(at + separator.size()))};
 }
 
+bool is_word(const std::string& text) {
+  return !text.empty() && (text[0] < '0' || text[0] > '9') &&
+         std::all_of(text.begin(), text.end(), [](char c) {
+           return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+         });
+}
+
 std::vector<std::string> names_in(const std::string& text) {
   std::vector<std::string> result;
   for (std::size_t begin = 0; begin <= text.size();) {
@@ -59,7 +66,7 @@ class Checker {
 
  private:
   [[nodiscard]] Value value(const std::string& text) const { return evaluate(text, c_.names); }
-  [[nodiscard]] Value answer(Question question) const { return value(witness_(question)); }
+  [[nodiscard]] Value answer(const Question& question) const { return value(witness_(question)); }
   static std::vector<Quotient> scalars(const Value& v) {
     std::vector<Quotient> result;
     for (const Value& item : list(v)) result.push_back(scalar(item));
@@ -71,12 +78,17 @@ class Checker {
 
   void define(const std::string& text) {
     const auto [name, body] = parts(text, "=");
-    need(c_.names.values.emplace(name, value(body)).second, name + " is named twice");
+    need(is_indeterminate(name) && !c_.ranges.contains(name), name + " is named twice");
+    c_.names.values[name] = value(body);
+  }
+  [[nodiscard]] bool is_indeterminate(const std::string& name) const {
+    return is_word(name) && !c_.names.values.contains(name) && !c_.roots.contains(name);
   }
   void define_function(const std::string& text) {
     const auto [head, body] = parts(text, " = ");
     const auto [name, parameters] = parts(head, "(");
     need(parameters.ends_with(')'), "')' is missing");
+    need(is_word(name) && !is_built_in(name) && !c_.names.functions.contains(name), name + " is named twice");
     c_.names.functions[name] = {names_in(parameters.substr(0, parameters.size() - 1)), parse_term(body)};
   }
   Range interval(const std::string& text) const {
@@ -85,20 +97,22 @@ class Checker {
     const auto [lower, upper] = parts(text.substr(1, text.size() - 2), ",", true);
     Range result{number(scalar(value(lower))), std::nullopt, text[0] == '(', text.back() == ')'};
     if (upper != "inf") result.upper = number(scalar(value(upper)));
-    need(result.upper ? result.lower <= *result.upper : result.upper_open,
+    const bool is_point = result.upper && result.lower == *result.upper;
+    need(is_point ? !result.lower_open && !result.upper_open
+                  : (result.upper ? result.lower < *result.upper : result.upper_open),
          "the ends of an interval are reversed");
     return result;
   }
   void range(const std::string& text) {
     const auto [name, body] = parts(text, " in ");
-    need(!c_.roots.contains(name), "a root has its range");
+    need(is_indeterminate(name), name + " has a value");
     c_.ranges[name] = interval(body);
   }
   void root(const std::string& text) {
     const auto [head, ends] = parts(text, " in ", true);
     const auto [x, body] = parts(head, " of ");
     const Quotient p = scalar(value(body));
-    need(!c_.ranges.contains(x) && !c_.names.values.contains(x) && p.is_polynomial(),
+    need(is_indeterminate(x) && !c_.ranges.contains(x) && p.is_polynomial(),
          "a root of a polynomial is needed");
     std::map<long, Rational> equation;
     for (const auto& [n, rest] : by_power(p.above, x)) equation[n] = number(Quotient(rest));
@@ -111,6 +125,7 @@ class Checker {
     c_.ranges[x] = range;
     cover(Condition::nonzero, true, {derivative(p, x)}, Quotient());
     c_.roots[x] = std::move(equation);
+    c_.names.roots.insert(x);
   }
 
   // ---- Identities and signs
@@ -196,6 +211,7 @@ class Checker {
     const bool is_matrix = !list(items).empty() && items.items()[0].is_list();
     for (const Value& row : is_matrix ? items.items() : std::vector<Value>{items}) {
       const std::vector<Quotient> entries = scalars(row);
+      need(!entries.empty(), "an empty row");
       if (!bound.is_number() ||
           !std::all_of(entries.begin(), entries.end(), [](const Quotient& q) { return q.is_number(); })) {
         cover(Condition::rows, strict, entries, bound);
@@ -237,6 +253,11 @@ class Checker {
     const Value family = value(left);
     const Value bound = value(right);
     need(!list(family).empty() && !list(family.items()[0]).empty(), "matrices are needed");
+    const std::size_t size = family.items()[0].items().size();
+    for (const Value& matrix : family.items()) {
+      need(list(matrix).size() == size, "matrices of different sizes");
+      for (const Value& row : matrix.items()) need(scalars(row).size() == size, "a square matrix is needed");
+    }
     const auto ask = [&](const char* word) { return answer({word, nullptr, nullptr, {family, bound}}); };
     if (at_most) {
       const Value vertices = ask("vertices");
@@ -247,7 +268,7 @@ class Checker {
         need(i >= 0 && static_cast<std::size_t>(i) < list(vertices).size(), "there is no such vertex");
         span.push_back(vertices.items()[static_cast<std::size_t>(i)]);
       }
-      need(span.size() == family.items()[0].items().size(), "the vertices do not span the space");
+      need(span.size() == size, "the vertices do not span the space");
       greater(power(determinant(span), 2), Quotient(), true);
       need(list(images).size() == family.items().size() * vertices.items().size(), "an image is missing");
       std::size_t image = 0;
@@ -290,7 +311,10 @@ class Checker {
     if (!at.is_list()) at = std::vector<Value>{at};
     const std::vector<std::string> names = names_in(over);
     std::vector<Value> variables;
-    for (const std::string& x : names) variables.emplace_back(Quotient::variable(x));
+    for (const std::string& x : names) {
+      need(is_indeterminate(x) && !c_.ranges.contains(x), x + " does not run over all numbers");
+      variables.emplace_back(Quotient::variable(x));
+    }
     const Value dual = answer(
         {"dual", nullptr, nullptr, {Value(Quotient(Rational(is_max ? 1 : 0))), items, variables, bound, at}});
     need(list(dual).size() == list(items).size() && at.items().size() == names.size(),
@@ -318,7 +342,8 @@ class Checker {
     const auto [left, right] = parts(head, " == ", true);
     const auto [what, x] = parts(left, " over ", true);
     const auto [norm, items_text] = parts(what, " ");
-    need(norm == "max" && c_.ranges.contains(x), "'minimum max .. over' a variable with a range is needed");
+    need(norm == "max" && c_.ranges.contains(x) && is_indeterminate(x),
+         "'minimum max .. over' a variable with a range is needed");
     const Value items = value(items_text);
     const Value bound = value(right);
     const Quotient at = scalar(value(place));
@@ -326,7 +351,11 @@ class Checker {
     const std::vector<Value> about{items, bound, at};
     const Range near = interval(trim(witness_({"near", nullptr, nullptr, about, x})));
     const auto [falling, rising] = parts(trim(witness_({"active", nullptr, nullptr, about, x})), " ");
-    need(near.upper.has_value(), "a bounded interval is needed");
+    need(near.upper && near.lower >= whole_range.lower &&
+             (!whole_range.upper || *near.upper <= *whole_range.upper),
+         "'near' leaves the interval");
+    for (const Quotient* q : {&scalar(bound), &at})
+      need(equal(derivative(*q, x), Quotient()), "the minimum depends on its variable");
     for (const Value& entry : list(items)) {
       const Quotient there = substitute(scalar(entry), x, at);
       greater(scalar(bound), there, false);

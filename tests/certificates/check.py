@@ -56,6 +56,7 @@ def whole(f):
     need(number(f).denominator == 1, 'a whole number is needed here')
     return number(f).numerator
 def power(f, n):
+    need(isinstance(f, F) and abs(n) <= 100000, 'a power of a number is needed')
     r, f = const(1), f if n >= 0 else const(1) / f
     for _ in range(abs(n)): r = r * f
     return r
@@ -77,11 +78,14 @@ def each(f, a, b):
     need(len(a) == len(b), 'lists of different lengths')
     return [each(f, x, y) for x, y in zip(a, b)]
 def plus(a, b): return each(lambda x, y: x + y, a, b)
+def columns(m):
+    need(m and all(isinstance(row, list) and len(row) == len(m[0]) for row in m), 'rows of different lengths')
+    return [list(c) for c in zip(*m)]
 def times(a, b):
     if isinstance(a, F): return [times(a, x) for x in b] if isinstance(b, list) else a * b
     if isinstance(b, F): return [times(x, b) for x in a]
     if isinstance(a[0], list): return [times(row, b) for row in a]
-    if isinstance(b[0], list): return [times(a, list(column)) for column in zip(*b)]
+    if isinstance(b[0], list): return [times(a, list(column)) for column in columns(b)]
     need(len(a) == len(b), 'lists of different lengths')
     return sum((x * y for x, y in zip(a, b)), const(0))
 def determinant(m):  # Laplace's expansion row by row, the sum kept by the set of columns used
@@ -102,10 +106,14 @@ def read_data(name):
     value = lambda row: [const(Q(x.strip())) for x in row]
     if head[:1] != ['polygon']: return [value(r) for r in rows]
     return [[value(r[1:]) for r in group] for _, group in itertools.groupby(rows, lambda r: r[0])]
-def parse(text):
-    text = re.sub(r'(\d+)\.(\d+)', lambda m: f'({int(m[1] + m[2])}/{10 ** len(m[2])})', text).replace('^', '**')
-    try: return ast.parse(re.sub(r'\bif\(', 'if_(', text).strip(), mode='eval').body
-    except SyntaxError: raise Rejected('no expression: ' + text)
+COUNT = {'if': 3, 'seq': 4, 'sum': 4, 'coef': 3, 'subst': 3, 'diff': 2, 'low': 2, 'high': 2, 'det': 1, 'len': 1, 'join': 2,
+         'less': 2, 'abs': 1, 'mod': 2, 'floor': 1, 'max': 1, 'min': 1}  # arguments of the language's own functions
+TOKEN = re.compile(r' *(?:(\d+)(?:\.(\d+))?(?!\w)|([A-Za-z_]\w*)|([-+*/^()\[\],])) *', re.ASCII)
+def parse(text):  # as an expression of Python's: ** for ^, quotients for decimals, an underscore after each name
+    need(re.fullmatch(f'(?:{TOKEN.pattern})+', text, re.ASCII) and not re.search(r', *[])]', text), 'no expression: ' + text)
+    word = lambda m: f'({int(m[1] + (m[2] or ""))}/{10 ** len(m[2] or "")})' if m[1] else m[3] + '_' if m[3] else m[4].replace('^', '**')
+    try: return ast.parse(' '.join(map(word, TOKEN.finditer(text))), mode='eval').body
+    except (SyntaxError, MemoryError): raise Rejected('no expression: ' + text)
 
 class Checker:
     def __init__(self): self.names, self.functions, self.boxes, self.roots, self.proof, self.values = {}, {}, {}, {}, [], []
@@ -114,8 +122,9 @@ class Checker:
         go = lambda x: self.evaluate(x, local)
         if isinstance(t, ast.Constant) and type(t.value) is int: return const(t.value)
         if isinstance(t, ast.Name):
-            scope = local if t.id in local else self.names
-            return scope[t.id] if t.id in scope else var(t.id)
+            x = t.id[:-1]
+            scope = local if x in local else self.names
+            return scope[x] if x in scope else var(x)
         if isinstance(t, ast.List): return [go(x) for x in t.elts]
         if isinstance(t, ast.Subscript):
             a, i = go(t.value), whole(go(t.slice))
@@ -130,36 +139,39 @@ class Checker:
             if op is ast.Div: return times(const(1) / b, a)
             if op is ast.Pow: return power(a, whole(b))
         need(isinstance(t, ast.Call) and isinstance(t.func, ast.Name) and not t.keywords, 'not in the language')
-        return self.call(t.func.id, t.args, local)
+        return self.call(t.func.id[:-1], t.args, local)
     def call(self, name, args, local):
         go = lambda x: self.evaluate(x, local)
         if name in self.functions:
             parameters, body = self.functions[name]
             need(len(parameters) == len(args), 'the number of arguments of ' + name)
             return self.evaluate(body, dict(zip(parameters, map(go, args))))
-        if name == 'if_': return go(args[1] if number(go(args[0])) else args[2])
+        need(COUNT.get(name) == len(args), 'the number of arguments of ' + name)
+        if name == 'if': return go(args[1] if number(go(args[0])) else args[2])
         if name in ('seq', 'sum'):
             numbers = range(whole(go(args[1])), whole(go(args[2])) + 1)
-            items = [self.evaluate(args[3], {**local, args[0].id: const(i)}) for i in numbers]
+            items = [self.evaluate(args[3], {**local, args[0].id[:-1]: const(i)}) for i in numbers]
             if name == 'seq': return items
             total = items[0] if items else const(0)
             for x in items[1:]: total = plus(total, x)
             return total
         if name in ('coef', 'subst', 'diff', 'low', 'high'):
-            f, x = go(args[0]), args[1].id
+            f, x = go(args[0]), args[1].id[:-1]
+            need(isinstance(f, F) and not any(x in known for known in (local, self.names, self.roots)), x + ' is no indeterminate')
             if name == 'diff': return derivative(f, x)
             if name == 'subst': return substitute(f, x, go(args[2]))
             need(all(x not in dict(k) for k in f.den), name + ' of a quotient')
             parts = by_power(f.num, x)
             if name == 'coef': return F(parts.get(whole(go(args[2])), {}), f.den)
+            need(not any(v in self.roots for k in f.num for v, _ in k), name + ' of a polynomial with roots')
             return const(min(parts) if name == 'low' else max(parts))
         v = [go(x) for x in args]
         if name == 'det': return determinant(v[0])
         if name == 'len': return const(len(v[0]))
+        need(name != 'join' or all(isinstance(x, list) for x in v), 'a list is needed')
         if name == 'join': return v[0] + v[1]
         if name in ('max', 'min'): return const({'max': max, 'min': min}[name](map(number, v[0])))
         known = {'abs': abs, 'floor': math.floor, 'less': lambda a, b: a < b, 'mod': lambda a, b: a % b}
-        need(name in known, 'unknown function ' + name)
         return const(known[name](*map(number, v)))
 
     # ---- Identities and signs over the boxes of the variables; roots obey their equations ----------------------------
@@ -168,8 +180,8 @@ class Checker:
             while True:
                 parts, degree = by_power(poly, x), max(equation)
                 top = max(parts, default=0)
-                need(min(parts, default=0) >= 0, 'a negative power of a root')
                 if top < degree: break
+                need(min(parts) >= 0, 'a negative power of a root')
                 for e, c in equation.items():
                     poly = p_add(poly, (F(parts[top]) * power(var(x), e + top - degree) * const(-c / equation[degree])).num)
         return poly
@@ -201,13 +213,13 @@ class Checker:
         return {i: table.get(i, Q(0)) for i in itertools.product(*(range(n + 1) for n in degrees))}
     def cover(self, kind, items, bound, tokens, strict=True):
         """sign: items[0] > bound; rows: sum |items| < bound; peak: some |item| > bound; nonzero: items[0] is never 0."""
-        polys, dens = [F(self.reduced(f.num), self.reduced(f.den)) for f in items + [bound]], []
+        polys, dens = items + [bound], []
         for f in polys:
             if f.den != ONE and f.den not in dens: dens.append(f.den)
         for i, f in enumerate(polys):  # times the square of the product of all denominators
             for d in dens: f = F(p_mul(f.num, d if d == f.den else p_mul(d, d)), f.den)
             polys[i] = F(self.reduced(f.num))
-        for d in () if strict else dens: self.cover('nonzero', [F(d)], const(0), '.')
+        for d in () if strict else dens: self.cover('nonzero', [F(self.reduced(d))], const(0), '.')
         xs = sorted({v for f in polys for k in f.num for v, _ in k})
         for x in xs:  # even powers of a variable that is not 0 change no sign
             need(x in self.boxes, f'no range for {x}')
@@ -249,6 +261,7 @@ class Checker:
         need(number(a - b) > 0 or (number(a - b) == 0 and not strict), 'the inequality is false')
     def rows(self, items, bound, strict):
         for row in items if isinstance(items[0], list) else [items]:
+            need(row, 'an empty row')
             if not all(f.is_number() for f in row + [bound]): self.cover('rows', row, bound, self.next('cover'), strict)
             else:
                 margin = number(bound) - sum(abs(number(f)) for f in row)
@@ -256,26 +269,28 @@ class Checker:
     def interval(self, text):
         m = re.fullmatch(r'\s*([\[(])(.*),(.*)([\])])\s*', text)
         lo, hi = number(self.value(m[2])), None if m[3].strip() == 'inf' else number(self.value(m[3]))
-        need(m[4] == ')' if hi is None else lo <= hi, 'the ends of an interval are reversed')
+        need(m[4] == ')' if hi is None else lo < hi or (lo == hi and m[1] + m[4] == '[]'), 'the ends of an interval are reversed')
         return lo, hi, m[1] == '(', m[4] == ')'
+    def is_free(self, x): return re.fullmatch(r'[A-Za-z_]\w*', x, re.ASCII) and x not in self.names and x not in self.roots
     def state(self, line):
         verb, _, rest = line.partition(' ')
         if verb == '#': return
         if verb == 'let':
             name, _, text = rest.partition('=')
-            need(name.strip() not in self.names, 'named twice')
+            need(self.is_free(name.strip()) and name.strip() not in self.boxes, 'named twice')
             self.names[name.strip()] = self.value(text)
         elif verb == 'def':
             m = re.fullmatch(r'(\w+)\((.*?)\) = (.*)', rest)
+            need(self.is_free(m[1] + '_') and m[1] not in COUNT and m[1] not in self.functions, 'named twice')
             self.functions[m[1]] = ([p.strip() for p in m[2].split(',') if p.strip()], parse(m[3]))
         elif verb == 'for':
             x, _, text = rest.partition(' in ')
-            need(x not in self.roots, 'a root has its range')
+            need(self.is_free(x), x + ' has a value')
             self.boxes[x] = self.interval(text)
         elif verb == 'root':
             m = re.fullmatch(r'(\w+) of (.*) in (\[[^\[]*\])', rest)
             x, f = m[1], self.value(m[2])
-            need(x not in self.boxes and x not in self.names and f.den == ONE, 'a root of a polynomial is needed')
+            need(self.is_free(x) and x not in self.boxes and f.den == ONE, 'a root of a polynomial is needed')
             equation = {e: number(F(c)) for e, c in by_power(f.num, x).items()}
             lo, hi, *_ = self.boxes[x] = self.interval(m[3])
             change = number(substitute(f, x, const(lo))) * number(substitute(f, x, const(hi)))
@@ -300,6 +315,7 @@ class Checker:
             else: self.greater(a, b, relation == '>')
     def radius(self, family, relation, bound):
         family, bound = self.value(family), self.value(bound)
+        need(all(len(m) == len(family[0]) == len(row) > 0 and all(isinstance(f, F) for f in row) for m in family for row in m), 'square matrices')
         if relation == '<=':  # the balanced hull of the vertices is sent into `bound` times itself
             vertices, images = self.value(self.next('vertices')), self.value(self.next('images'))
             span = [whole(k) for k in self.value(self.next('span'))]
@@ -315,12 +331,13 @@ class Checker:
         product = family[word[0]]
         for k in word[1:]: product = times(product, family[k])
         need(self.equal(times(product, space), times(space, block)), 'the space is not invariant')
-        self.greater(determinant(times([list(c) for c in zip(*space)], space)), const(0), True)
+        self.greater(determinant(times(columns(space), space)), const(0), True)
         self.greater(power(determinant(block), 2), power(bound, 2 * len(word) * len(block)), False)
     def least(self, norm, items, over, value, at):
         """Affine items: weights that cancel the variables bound the norm from below by a constant, reached at `at`."""
         items, xs, value, at = self.value(items), [x.strip() for x in over.split(',')], self.value(value), self.value(at)
         dual, at = self.value(self.next('dual')), at if isinstance(at, list) else [at]
+        need(all(self.is_free(x) and x not in self.boxes for x in xs), 'a variable does not run over all numbers')
         need(len(dual) == len(items) and len(at) == len(xs), 'a weight for each entry, a place for each variable')
         column = lambda row: [[f] for f in row]
         self.rows(dual if norm == 'max' else column(dual), const(1), False)
@@ -336,6 +353,8 @@ class Checker:
         (lo, hi, *_), active = self.interval(self.next('near')), self.next('active').split()
         need(len(active) == 2 and all(re.fullmatch(r'[+-]\d{1,6}', t) for t in active) and hi is not None, 'two active items are needed')
         falling, rising = [items[int(t[1:])] if t[0] == '+' else -items[int(t[1:])] for t in active]
+        need(self.is_free(x) and lo >= box[0] and (box[1] is None or hi <= box[1]), "'near' leaves the interval")
+        need(all(self.equal(derivative(f, x), const(0)) for f in (value, at)), 'the minimum depends on its variable')
         for f in items:
             for there in (substitute(f, x, at), -substitute(f, x, at)): self.greater(value, there, False)
         need(self.equal(substitute(falling, x, at), value) and self.equal(substitute(rising, x, at), value), 'not active')
@@ -359,19 +378,23 @@ def split(a, axis, degrees):  # de Casteljau at the middle
     return left, right
 
 # ---- Schemes and files -------------------------------------------------------------------------------------------------
-def catalogue(text, c):  # the symbol of a named scheme; None for a file, which its mask alone defines
+def catalogue(text):  # the symbol of a named scheme
     family, _, rest = text.partition(':')
-    args = {k.strip(): c.value(v) for k, _, v in (p.partition('=') for p in rest.split(',') if p)}
+    args = {k: Checker().value(v) for k, _, v in (p.partition('=') for p in rest.split(',') if p)}
     n = lambda p, q=1: const(Q(p, q))
     row = lambda first, items: sum((f * power(var('z'), first + i) for i, f in enumerate(items)), n(0))
     if family == 'jspline':
+        need(set(args) in ({'s'}, {'a', 'b'}), 'a J-spline has s, or a and b')
         a, b = args.get('a', args.get('s')), args.get('b', args.get('s'))
         o, e = (b - n(1)) * n(1, 16), a * n(1, 8)
         return row(-3, [o, e, n(1, 2) - o, n(1) - e - e, n(1, 2) - o, e, o])
+    need(len(args) <= 1 and len(args) == rest.count('='), 'too many parameters')
     if family == 'four-point':
+        need(set(args) <= {'w'}, 'w is needed')
         w = args.get('w', n(1, 16))
         return row(-3, [-w, n(0), n(1, 2) + w, n(1), n(1, 2) + w, n(0), -w])
     if family == 'dyn-floater-hormann':
+        need(set(args) <= {'w'}, 'w is needed')
         w = args.get('w', n(1, 128))
         half = [n(-5) * w, n(-7) * w, n(1, 4) + n(3) * w, n(3, 4) + n(9) * w]
         return row(-4, half + half[::-1])
@@ -379,9 +402,10 @@ def catalogue(text, c):  # the symbol of a named scheme; None for a file, which 
         d = whole(args['degree'])
         return row(-((d + 1) // 2), [n(math.comb(d + 1, i), 2 ** d) for i in range(d + 2)])
     if family == 'deslauriers-dubuc':
-        k = whole(args['points']) // 2
+        k = whole(args['points'] / n(2))
         w = lambda j: math.prod(Q(1 - 2 * i, 2 * (j - i)) for i in range(1 - k, k + 1) if i != j)
         return n(1) + sum((n(w(j)) * power(var('z'), 1 - 2 * j) for j in range(1 - k, k + 1)), n(0))
+    raise Rejected('unknown scheme ' + text)
 def check(text):
     lines = text.split('\n')
     need(text.endswith('\nend\n') and lines[0] == 'subdivlab certificate 1' and 'statement' in lines and 'proof' in lines, 'no whole certificate')
@@ -389,6 +413,7 @@ def check(text):
     need(3 <= s < p - 1 and lines[1].startswith('claim '), 'no whole certificate')
     digest = hashlib.sha256('\n'.join([lines[1]] + lines[3:p] + ['']).encode()).hexdigest()
     need(lines[2] == 'digest ' + digest, 'the digest is that of another scheme or statement')
+    need(any(line.split(' ', 1)[0] not in ('#', 'let', 'def', 'for') for line in lines[s + 1:p]), 'nothing is stated')
     c = Checker()
     c.proof = lines[p + 1:-2]
     for i, line in enumerate(lines[3:p], 3):
@@ -396,11 +421,12 @@ def check(text):
             if i >= s: c.state(line) if i > s else None
             elif line.startswith('scheme '):
                 name, scheme, mask = re.fullmatch(r'scheme (\w+) (\S+) = (.*)', line).groups()
-                c.names[name] = c.value(mask)
-                known = catalogue(scheme, c)
-                need(known is None or c.equal(known, c.names[name]), 'this is not the mask of ' + scheme)
+                need(c.is_free(name), 'named twice')
+                c.names[name] = Checker().value(mask)
+                need(c.equal(catalogue(scheme), c.names[name]), 'this is not the mask of ' + scheme)
             else:
                 name, file, digest = re.fullmatch(r'data (\w+) (\S+) (\w+)', line).groups()
+                need(c.is_free(name), 'named twice')
                 c.names[name] = read_data(file)
                 with open(os.path.join(DATA, file), 'rb') as f: need(hashlib.sha256(f.read()).hexdigest() == digest, 'other data')
         except Rejected as e: raise Rejected(f'{e} ({line})')

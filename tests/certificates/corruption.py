@@ -59,12 +59,25 @@ TRAPS = [
     (['for s in [0,3]', 'minimum max [s-1,s-2] over s == 1/2 at 3/2'], ['near [5/4,7/4]', 'active +0 +0', 'cover -1', 'cover +0']),
     (['for s in [0,3]', 'minimum max [s-1,s-2] over s == 1/2 at 3/2'], ['near [2,3]', 'active -1 +0', 'cover -1', 'cover +0']),
     (['for s in [0,3]', 'minimum max [s-1,s-2] over s == 1 at 3/2'], ['near [5/4,7/4]', 'active -1 +0', 'cover -1', 'cover +0']),
+    # at lies outside the range, which `near` leaves
+    (['for s in [0,1]', 'minimum max [s-1,s-2] over s == 1/2 at 3/2'], ['near [5/4,7/4]', 'active -1 +0', 'cover -1']),
+    # names that mean two things
+    (['let s = 1', 'for s in [0,1]', 's > 1/2'], []), (['for s in [0,1]', 'let s = 1', 's > 1/2'], []),
+    (['root r of r^2-2 in [5/4,2]', 'let r = 5', 'r > 4'], ['cover .']), (['let x = 5', 'least max [x-1] over x == 4 at 0'], ['dual [1]']),
+    (['def abs(x) = 1', 'abs(2) == 1'], []), (['def f(x) = 1', 'def f(x) = 2', 'f(0) == 2'], []), (['let y = 2*x', 'diff(y, y) == 0'], []),
+    (['for x in [1,2]', 'least max [x] over x == 0 at 0'], ['dual [0]']),
+    (['root r of r^2-2 in [5/4,2]', 'least max [r^2-2] over r == 0 at 0'], ['cover .', 'dual [0]']),
+    (['root r of r^2-2 in [5/4,2]', 'high((r^2-2)*z^5+z, z) == 5'], ['cover .']), (['root r of r^2-2 in [5/4,2]', 'subst(r^2-2, r, 1) == -1'], ['cover .']),
+    (['let x = 1'], []), (['for s in [0,1]', '# s > 2'], []), (['for s in (1,1)', 's > 0'], ['cover .']), (['rows [] < 1'], []), (['rows [[]] < 1'], []),
+    (['radius [3] >= 3'], ['word [0]', 'space [[1]]', 'block [[3]]']), (['radius [[[2]],[[1,0],[0,1]]] >= 2'], ['word [0]', 'space [[1]]', 'block [[2]]']),
+    (['[1,1]*[[1,2],[3]] == [4]'], []), (['join(1,2) == 3'], []), (['[1,2]^0 == 1'], []), (['det([[1]], 2) == 1'], []), (['2**3 == 8'], []),
+    (['1_0 == 10'], []), (['len([1,]) == 1'], []), (['1 == 1 # two'], []),
     (['1 == 1'], ['cover .']), (['nonsense'], []), (['let x = 1/0'], []), (['let x = [1,2][2]', '1 == 1'], []), (['det([[1,2]]) == 1'], []),
 ]
 TRUE = [
     (['for s in (0,1)', 's^3*(1-s)^2 > 0'], ['cover .']), (['for s in [0,inf)', 's+1 > 0'], ['cover .']),
-    (['for s in (0,1]', 'for t in (0,1]', 's*t > 0'], ['cover .']), (['root r of r^2-2 in [1,2]', 'r^4 == 4', 'r > 1'], ['cover .', 'cover .'])
-    if False else (['root r of r^2-2 in [5/4,2]', 'r^4 == 4', 'r > 1'], ['cover .', 'cover .']),
+    (['for s in (0,1]', 'for t in (0,1]', 's*t > 0'], ['cover .']), (['lambda-lambda == 0'], []), (['007 == 7.0'], []),
+    (['root r of r^2-2 in [5/4,2]', '1/r > 1/3'], ['cover .', 'cover .']), (['root r of r^2-2 in [5/4,2]', 'r^4 == 4', 'r > 1'], ['cover .', 'cover .']),
     (['radius [[[0,1],[1,0]]] >= 1'], ['word [0]', 'space [[1],[1]]', 'block [[1]]']),
     (['radius [[[0,-1],[1,0]]] >= 1'], ['word [0]', 'space [[1,0],[0,1]]', 'block [[0,-1],[1,0]]']),
     (['radius [[[1/2,1],[0,1/2]]] <= 3/4'], ['vertices [[4,0],[0,1]]', 'images [[1/2,0],[1/4,1/2]]', 'span [0,1]']),
@@ -103,6 +116,7 @@ def chosen(folder):
 def main(program, folder):
     cases = []  # (name, text, verdict that is known or None)
     cases += [(f'trap {i}: {s[-1]}', made(s, p), 'rejected') for i, (s, p) in enumerate(TRAPS)]
+    cases.append(('trap: a scheme that nobody knows', made(['S == 1'], [], ['scheme S unknown:s=1 = 1']), 'rejected'))
     cases += [(f'true {i}: {s[-1]}', made(s, p), 'proved') for i, (s, p) in enumerate(TRUE)]
     for name, text in chosen(folder).items():
         cases.append((name, text, 'proved'))
