@@ -15,6 +15,7 @@ namespace subdiv::cli {
 int prove(const ProveOptions& options) {
   const auto results = load_results_if_any(options.claims);
   const std::filesystem::path folder = options.out;
+  const std::filesystem::path data = data_folder();
   std::vector<NewFile> files;
   int failed = 0;
   for (const std::string& file : options.files) {
@@ -29,7 +30,7 @@ int prove(const ProveOptions& options) {
             if (record.id == id) statement = filled(std::move(statement), record);
           }
         }
-        files.push_back({folder / (id + ".txt"), verifier::to_text(subdiv::prove(statement, data_folder()))});
+        files.push_back({folder / (id + ".txt"), verifier::to_text(subdiv::prove(statement, data))});
         std::cout << id << ": proved\n";
       } catch (const std::exception& error) {
         ++failed;

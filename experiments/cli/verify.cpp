@@ -54,6 +54,7 @@ std::optional<std::map<std::string, ClaimRecord>> claims_beside(const fs::path& 
 }  // namespace
 
 int verify(const VerifyOptions& options) {
+  const fs::path data = data_folder();
   int proved = 0;
   int rejected = 0;
   for (const std::string& path : options.paths) {
@@ -65,14 +66,14 @@ int verify(const VerifyOptions& options) {
           place.string() +
           ": there is no such folder or file; 'subdivlab reproduce' writes results/certificates");
     }
-    const auto statements = is_folder ? claim_statements(data_folder()) : std::map<std::string, Statement>();
+    const auto statements = is_folder ? claim_statements(data) : std::map<std::string, Statement>();
     auto claims = is_folder ? claims_beside(place) : std::nullopt;
     for (const fs::path& file : is_folder ? certificates_in(place) : std::vector<fs::path>{place}) {
       try {
         const verifier::Certificate certificate = verifier::parse_certificate(read_file(file));
         verifier::need(!is_folder || certificate.claim == file.stem().string(),
                        "the file is named after another claim");
-        const verifier::Context context = verifier::check(certificate, data_folder());
+        const verifier::Context context = verifier::check(certificate, data);
         if (claims) {
           const auto claim = claims->find(certificate.claim);
           verifier::need(claim != claims->end(), "claims.json has no such claim");

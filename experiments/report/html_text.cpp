@@ -2,6 +2,8 @@
 
 #include <cctype>
 
+#include "experiments/report/svg.h"
+
 namespace subdiv {
 namespace {
 
@@ -17,26 +19,11 @@ bool is_word_character(char c) {
 
 std::string html_text(std::string_view text) {
   std::string result;
-  result.reserve(text.size());
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      case '\'':
-        result += "&#39;";
-        break;
-      default:
-        result += c;
+  for (const char c : xml_text(text)) {
+    if (c == '\'') {
+      result += "&#39;";
+    } else {
+      result += c;
     }
   }
   return result;
